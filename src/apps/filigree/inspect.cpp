@@ -1,0 +1,62 @@
+// filigree check, derive, list and describe: what a document and the language hold, without a picture.
+#include <iostream>
+
+#include "apps/filigree/commands.h"
+#include "apps/filigree/terminal.h"
+#include "engines/tangle/derive.h"
+#include "session/describe.h"
+#include "session/run.h"
+#include "session/stats.h"
+
+namespace filigree {
+
+int run_check(const CheckCommand& command) {
+    const Result<OpenedDocument> opened = open_document(command.document, command.open);
+    if (!opened) return print_diagnostics(opened.diagnostics(), {});
+    const CheckedDocument checked = check_document(*opened);
+    if (command.json) {
+        std::cout << check_json(checked, opened->document);
+        return exit_status(checked.diagnostics);
+    }
+    std::cout << check_text(checked, opened->document) << std::flush;
+    return print_diagnostics(checked.diagnostics, opened->document.sources);
+}
+
+int run_derive(const DeriveCommand& command) {
+    const std::unique_ptr<Executor> executor = make_executor(command.threads);
+    const Job job = terminal_job();
+    const Result<OpenedDocument> opened = open_document(command.document, command.open);
+    if (!opened) return print_diagnostics(opened.diagnostics(), {});
+    const Sources& sources = opened->document.sources;
+    const CheckedDocument checked = check_document(*opened);
+    if (const int status = print_diagnostics(checked.diagnostics, sources); status != 0) return status;
+    const Result<tangle::Tangle> tangle = tangle::derive(*checked.grammar, *checked.start, *checked.settings,
+                                                         opened->document, {command.steps}, *executor, job);
+    const int status = print_diagnostics(tangle.diagnostics(), sources);
+    if (!tangle) return status;
+    std::cout << (command.json ? steps_json(checked, opened->document, *tangle)
+                               : steps_text(checked, opened->document, *tangle));
+    return status;
+}
+
+int run_list() {
+    std::cout << list_text();
+    return 0;
+}
+
+int run_describe(const DescribeCommand& command) {
+    if (command.markdown) {
+        std::cout << reference_markdown();
+        return 0;
+    }
+    if (command.json) {
+        std::cout << descriptions_json();
+        return 0;
+    }
+    const Result<std::string> page = describe_text(command.name);
+    if (!page) return print_diagnostics(page.diagnostics(), {});
+    std::cout << *page;
+    return 0;
+}
+
+}  // namespace filigree

@@ -1,0 +1,469 @@
+#include "derivation/plane_start.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "base/elementary.h"
+#include "base/unicode.h"
+#include "formats/svg_read.h"
+#include "language/bind.h"
+#include "plane/clean.h"
+#include "plane/path.h"
+
+namespace filigree {
+namespace {
+
+constexpr double largest_px = 0x1p30;
+
+// One shape as a start gives it, before overlaps are resolved.
+struct Piece {
+    Polygons area;  // one polygon or several
+    std::string tag;
+    Key key;
+    std::size_t statement = 0;  // number of its start, from 0
+};
+
+using Pieces = Result<std::vector<Piece>>;
+
+ParameterDescription size_parameter(std::string_view name, std::string_view help) {
+    return {.name = name, .type = ParameterType::length, .help = help, .low = 1, .high = largest_px};
+}
+ParameterDescription at_parameter() {
+    return {.name = "at",
+            .type = ParameterType::point,
+            .help = "where its centre lies",
+            .default_text = "(0, 0)"};
+}
+ParameterDescription overlap_parameter() {
+    return {.name = "overlap",
+            .type = ParameterType::word,
+            .help = "what happens to earlier starts below it: covered, united with those of its tag, or refused",
+            .default_text = "top",
+            .words = {"top", "union", "error"}};
+}
+
+std::vector<OperatorDescription> make_descriptions() {
+    std::vector<OperatorDescription> all;
+    const auto add = [&](std::string_view name, std::string_view help, std::vector<ParameterDescription> parameters,
+                         std::string_view example) {
+        parameters.push_back(overlap_parameter());
+        all.push_back({.name = name,
+                       .help = help,
+                       .source = "gTangle, section 3",
+                       .parameters = std::move(parameters),
+                       .ports = {},
+                       .example = example});
+    };
+    add("rectangle", "a rectangle",
+        {size_parameter("width", "from left to right"), size_parameter("height", "from top to bottom"), at_parameter()},
+        "start big_poly = rectangle(400, 300)");
+    add("circle", "a circle", {size_parameter("radius", "from the centre to the border"), at_parameter()},
+        "start big_poly = circle(200)");
+    add("ellipse", "an ellipse",
+        {size_parameter("rx", "half its width"), size_parameter("ry", "half its height"), at_parameter()},
+        "start big_poly = ellipse(240, 160)");
+    add("polygon", "a regular polygon, a corner at the top",
+        {{.name = "sides", .type = ParameterType::whole, .help = "how many sides", .low = 3, .high = 1000},
+         size_parameter("radius", "from the centre to the corners"), at_parameter()},
+        "start big_poly = polygon(6, 200)");
+    add("star", "a star, a tip at the top",
+        {{.name = "points", .type = ParameterType::whole, .help = "how many tips", .low = 3, .high = 1000},
+         size_parameter("outer", "from the centre to the tips"), size_parameter("inner", "from the centre to the notches"),
+         at_parameter()},
+        "start big_poly = star(5, 200, 90)");
+    add("path", "SVG path data, filled by the even-odd rule; every subpath closed",
+        {{.name = "data", .type = ParameterType::text, .help = "as in the attribute d"},
+         {.name = "scale",
+          .type = ParameterType::real,
+          .help = "factor of its coordinates",
+          .default_text = "1",
+          .low = 1e-6,
+          .high = 1e6}},
+        "start big_poly = path(\"M 0 0 H 300 V 200 H 0 Z\")");
+    add("file", "the filled shapes of an SVG file, or those of one element",
+        {{.name = "name", .type = ParameterType::text, .help = "the file, beside the document or below it"},
+         {.name = "id",
+          .type = ParameterType::text,
+          .help = "take only the element or group with this id",
+          .default_text = "\"\""},
+         {.name = "width",
+          .type = ParameterType::length,
+          .help = "scale it to this width; 0 keeps its size",
+          .default_text = "0px",
+          .low = 0,
+          .high = largest_px}},
+        "start big_poly = file(\"leaf.svg\", id: \"outline\", width: 120mm)");
+    return all;
+}
+
+Diagnostic at_span(Diagnostic diagnostic, SourceSpan span) {
+    if (diagnostic.span.file == SourceSpan::no_file) diagnostic.span = span;
+    return diagnostic;
+}
+
+Polyline ring_of_corners(std::size_t count, double first_radius, double second_radius) {
+    Polyline ring{.points = {}, .closed = true};
+    ring.points.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double angle = 360.0 * static_cast<double>(i) / static_cast<double>(count) - 90.0;
+        const elementary::CosSin turn = elementary::cos_sin_degrees(angle);
+        const double radius = i % 2 == 0 ? first_radius : second_radius;
+        ring.points.push_back({radius * turn.cos, radius * turn.sin});
+    }
+    return ring;
+}
+
+Polyline ellipse_outline(double rx, double ry, double tolerance) {
+    Path path;
+    path.verbs = {Verb::move, Verb::arc, Verb::arc, Verb::close};
+    path.points = {{rx, 0}, {rx, ry}, {0, 2}, {-rx, 0}, {rx, ry}, {0, 2}, {rx, 0}};
+    return flatten(path, tolerance).front();
+}
+
+// A built-in shape as outlines around the origin.
+std::vector<Polyline> built_in_outline(const Arguments& arguments, double tolerance) {
+    const std::string_view name = arguments.description->name;
+    if (name == "rectangle") {
+        const double x = arguments.number("width") / 2, y = arguments.number("height") / 2;
+        return {{.points = {{-x, -y}, {x, -y}, {x, y}, {-x, y}}, .closed = true}};
+    }
+    if (name == "circle") return {ellipse_outline(arguments.number("radius"), arguments.number("radius"), tolerance)};
+    if (name == "ellipse") return {ellipse_outline(arguments.number("rx"), arguments.number("ry"), tolerance)};
+    if (name == "polygon") {
+        const double radius = arguments.number("radius");
+        return {ring_of_corners(static_cast<std::size_t>(arguments.number("sides")), radius, radius)};
+    }
+    return {ring_of_corners(2 * static_cast<std::size_t>(arguments.number("points")), arguments.number("outer"),
+                            arguments.number("inner"))};
+}
+
+std::optional<Diagnostic> open_subpath(const std::vector<Polyline>& outlines, const std::string& what) {
+    for (const Polyline& outline : outlines) {
+        if (outline.closed || outline.points.size() < 2 || outline.points.front() == outline.points.back()) continue;
+        return error("start.open-path", what + " has an open path, which encloses no area", {},
+                     {"close it (a path's data then ends in Z)"});
+    }
+    return std::nullopt;
+}
+
+bool has_id(const SvgShape& shape, std::string_view id) {
+    return shape.id == id || std::find(shape.groups.begin(), shape.groups.end(), id) != shape.groups.end();
+}
+
+Diagnostic no_such_id(const std::string& file, const std::string& id, const SvgPicture& picture) {
+    std::vector<std::string_view> known;
+    for (const SvgShape& shape : picture.shapes) {
+        if (!shape.id.empty()) known.push_back(shape.id);
+        for (const std::string& group : shape.groups) {
+            if (!group.empty()) known.push_back(group);
+        }
+    }
+    return error("start.unknown-id", "'" + file + "' has no drawn element with the id '" + id + "'", {},
+                 did_you_mean(id, known));
+}
+
+// The shapes of a picture to grow from: the filled ones; where nothing is filled, the outlines, which must be closed.
+Result<std::vector<const SvgShape*>> chosen_shapes(const SvgPicture& picture, const std::string& file,
+                                                   const std::string& id) {
+    std::vector<const SvgShape*> named, filled;
+    for (const SvgShape& shape : picture.shapes) {
+        if (!id.empty() && !has_id(shape, id)) continue;
+        named.push_back(&shape);
+        if (shape.filled) filled.push_back(&shape);
+    }
+    if (named.empty() && !id.empty()) return no_such_id(file, id, picture);
+    if (!filled.empty()) return filled;
+    for (const SvgShape* shape : named) {
+        const std::string what = shape->id.empty() ? "'" + file + "'" : "the element '" + shape->id + "' of '" + file + "'";
+        if (auto open = open_subpath(flatten(shape->path, 1), what)) return *open;
+    }
+    return named;
+}
+
+const Input* input_or_null(const Inputs& inputs, const std::string& name) { return find_input(inputs, name); }
+
+Result<SvgPicture> picture_of(const Inputs& inputs, const std::string& name, SourceSpan span) {
+    const Input* input = input_or_null(inputs, name);
+    if (input == nullptr) {
+        return error("input.missing", "the file '" + name + "' cannot be read", span,
+                     {"files are looked up beside the document"});
+    }
+    Result<SvgPicture> picture = read_svg(input->bytes, SourceSpan::no_file);
+    if (picture) return picture;
+    Diagnostics reasons;
+    for (Diagnostic reason : picture.diagnostics()) {
+        reason.message = "in '" + name + "': " + reason.message;
+        if (reason.span.file == SourceSpan::no_file) {
+            const LineColumn place = line_column(input->bytes, std::min<std::uint32_t>(
+                                                                   reason.span.begin,
+                                                                   static_cast<std::uint32_t>(input->bytes.size())));
+            reason.message = "in '" + name + "', line " + std::to_string(place.line) + ": " +
+                             reason.message.substr(name.size() + 7);
+        }
+        reason.span = span;
+        reasons.push_back(std::move(reason));
+    }
+    return reasons;
+}
+
+// A layer's name as a tag: what no tag may hold becomes '_'.
+std::string as_tag(const std::string& name) {
+    std::string tag;
+    bool all_digits = true;
+    for (std::size_t i = 0; i < name.size();) {
+        const unicode::Decoded next = unicode::decode(name, i);
+        const bool letter = next.valid && (unicode::is_letter(next.code_point) || next.code_point == U'_');
+        const bool digit = next.valid && unicode::is_digit(next.code_point);
+        if (letter || digit) {
+            tag.append(name, i, next.length);
+        } else {
+            tag += '_';
+        }
+        all_digits = all_digits && digit;
+        i += next.length;
+    }
+    return all_digits ? "_" + tag : tag;
+}
+
+class StartBuilder {
+public:
+    StartBuilder(const Settings& settings, const Document& document, const Inputs& inputs)
+        : settings_(settings), document_(document), inputs_(inputs) {}
+
+    Result<PlaneStart> build() {
+        for (const Statement& statement : document_.statements) {
+            if (const auto* start = std::get_if<StartStatement>(&statement.node)) add_start(*start, statement.span);
+        }
+        if (number_ == 0) {
+            diagnostics_.push_back(error("start.missing", "the document has no start to grow from", {},
+                                         {"add one, such as: start big_poly = rectangle(400, 300)"}));
+        }
+        if (has_errors(diagnostics_)) return diagnostics_;
+        PlaneStart start = collect();
+        if (start.polygons.empty()) {
+            return error("start.empty", "the starts enclose no area that a grammar could grow in");
+        }
+        return Result<PlaneStart>(std::move(start), diagnostics_);
+    }
+
+private:
+    void refuse(const Diagnostics& reasons, SourceSpan span) {
+        for (const Diagnostic& reason : reasons) diagnostics_.push_back(at_span(reason, span));
+    }
+
+    void add_start(const StartStatement& start, SourceSpan span) {
+        const std::size_t number = number_++;
+        const Key key = child(Key{hash_text("start")}, number + 1);
+        if (start.from) {
+            add_picture_layers(*start.from, key, number);
+            return;
+        }
+        const auto* call = std::get_if<CallExpression>(&start.value->node);
+        if (call == nullptr) {
+            diagnostics_.push_back(error("start.not-a-shape", "a start is a shape such as rectangle(400, 300)",
+                                         start.value->span, shape_hints("")));
+            return;
+        }
+        const OperatorDescription* description = find_operator(start_shape_descriptions(), call->name);
+        if (description == nullptr) {
+            diagnostics_.push_back(error("start.unknown-shape", "there is no start shape '" + call->name + "'",
+                                         call->name_span, shape_hints(call->name)));
+            return;
+        }
+        const Result<BoundCall> bound =
+            bind(*description, call->arguments, start.value->span, document_, settings_.globals);
+        if (!bound) return refuse(bound.diagnostics(), start.value->span);
+        const Result<Arguments> arguments =
+            evaluate_arguments(*bound, document_, settings_.globals, settings_.seed, key, {});
+        if (!arguments) return refuse(arguments.diagnostics(), start.value->span);
+        add_shape(*arguments, start, key, number, span);
+    }
+
+    std::vector<std::string> shape_hints(const std::string& wanted) const {
+        std::vector<std::string_view> names;
+        std::string all = "known are ";
+        for (const OperatorDescription& shape : start_shape_descriptions()) {
+            if (!names.empty()) all += ", ";
+            all += shape.name;
+            names.push_back(shape.name);
+        }
+        std::vector<std::string> hints = did_you_mean(wanted, names);
+        if (hints.empty()) hints.push_back(all);
+        return hints;
+    }
+
+    void add_shape(const Arguments& arguments, const StartStatement& start, Key key, std::size_t number, SourceSpan span) {
+        const std::string overlap(arguments.word("overlap"));
+        std::vector<Piece> pieces;
+        const std::string_view name = arguments.description->name;
+        if (name == "file") {
+            const std::string file = std::get<std::string>(arguments.value("name").data);
+            const std::string id = std::get<std::string>(arguments.value("id").data);
+            const Result<SvgPicture> picture = picture_of(inputs_, file, arguments.value("name").span);
+            if (!picture) return refuse(picture.diagnostics(), span);
+            for (const Diagnostic& note : picture.diagnostics()) {
+                diagnostics_.push_back(warning(note.code, "in '" + file + "': " + note.message,
+                                               arguments.value("name").span, note.hints));
+            }
+            const auto shapes = chosen_shapes(*picture, file, id);
+            if (!shapes) return refuse(shapes.diagnostics(), start.value->span);
+            const Transform to_size = scaled_to_width(*shapes, arguments.number("width"));
+            for (const SvgShape* shape : *shapes) {
+                pieces.push_back({clean(flatten(transformed(shape->path, to_size), settings_.resolution),
+                                        shape->fill_rule),
+                                  start.tag.text, child(key, pieces.size()), number});
+            }
+        } else if (name == "path") {
+            const Value& data = arguments.value("data");
+            const Result<Path> path = parse_path_data(std::get<std::string>(data.data));
+            if (!path) {
+                Diagnostic reason = path.diagnostics().front();
+                reason.message += " (byte " + std::to_string(reason.span.begin + 1) + " of the path data)";
+                reason.span = data.span;
+                diagnostics_.push_back(std::move(reason));
+                return;
+            }
+            const double scale = arguments.number("scale");
+            const std::vector<Polyline> outlines =
+                flatten(transformed(*path, scaling(scale, scale)), settings_.resolution);
+            if (auto open = open_subpath(outlines, "the start")) return refuse({*open}, data.span);
+            pieces.push_back({clean(outlines, FillRule::even_odd), start.tag.text, child(key, 0), number});
+        } else {
+            std::vector<Polyline> outlines = built_in_outline(arguments, settings_.resolution);
+            const Vec at = std::get<Vec>(arguments.value("at").data);
+            for (Polyline& outline : outlines) {
+                for (Vec& point : outline.points) point = point + at;
+            }
+            pieces.push_back({clean(outlines, FillRule::nonzero), start.tag.text, child(key, 0), number});
+        }
+        accept(std::move(pieces), overlap, start.value->span);
+    }
+
+    static Transform scaled_to_width(const std::vector<const SvgShape*>& shapes, double width) {
+        if (width <= 0) return {};
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const SvgShape* shape : shapes) {
+            for (const Polyline& line : flatten(shape->path, 0.1)) {
+                for (const Vec& point : line.points) {
+                    low = std::min(low, point.x);
+                    high = std::max(high, point.x);
+                }
+            }
+        }
+        if (!(high > low)) return {};
+        return scaling(width / (high - low), width / (high - low));
+    }
+
+    void add_picture_layers(const Name& file, Key key, std::size_t number) {
+        const Result<SvgPicture> picture = picture_of(inputs_, file.text, file.span);
+        if (!picture) return refuse(picture.diagnostics(), file.span);
+        const auto shapes = chosen_shapes(*picture, file.text, "");
+        if (!shapes) return refuse(shapes.diagnostics(), file.span);
+        std::vector<Piece> pieces;
+        for (const SvgShape* shape : *shapes) {
+            const std::string& layer = !shape->groups.empty() ? shape->groups.front() : shape->id;
+            if (layer.empty()) {
+                diagnostics_.push_back(error("start.unnamed-shape",
+                                             "'" + file.text + "' has a shape without an id or a layer", file.span,
+                                             {"give it an id, or grow from the whole file by: start big_poly = file(\"" +
+                                              file.text + "\")"}));
+                return;
+            }
+            pieces.push_back({clean(flatten(shape->path, settings_.resolution), shape->fill_rule), as_tag(layer),
+                              child(key, pieces.size()), number});
+        }
+        accept(std::move(pieces), "top", file.span);
+    }
+
+    // Later pieces cover, swallow or refuse the earlier ones that they overlap.
+    void accept(std::vector<Piece> fresh, const std::string& overlap, SourceSpan span) {
+        double largest = 0;
+        for (Piece& piece : fresh) {
+            if (piece.area.empty()) continue;
+            const Box box = bounds(piece.area);
+            largest = std::max({largest, to_px(box.max).x - to_px(box.min).x, to_px(box.max).y - to_px(box.min).y});
+            for (Piece& earlier : pieces_) {
+                if (earlier.area.empty() || !overlaps(bounds(earlier.area), box)) continue;
+                if (area(intersect(earlier.area, piece.area)) <= 0) continue;
+                if (overlap == "error" && earlier.statement != piece.statement) {
+                    diagnostics_.push_back(error("start.overlap", "the start '" + piece.tag + "' overlaps the start '" +
+                                                                      earlier.tag + "'",
+                                                 span, {"overlap: top lets it cover what is below"}));
+                    return;
+                }
+                if (overlap == "union" && earlier.tag == piece.tag) {
+                    piece.area = unite(earlier.area, piece.area);
+                    earlier.area = {};
+                } else {
+                    earlier.area = subtract(earlier.area, piece.area);
+                }
+            }
+            pieces_.push_back(std::move(piece));
+        }
+        if (largest < 1) {
+            diagnostics_.push_back(error("start.too-small", "the start is less than 1 px across", span,
+                                         {"is its unit the one that was meant? 1 mm is 3.78 px"}));
+        }
+    }
+
+    PlaneStart collect() const {
+        PlaneStart start;
+        for (const Piece& piece : pieces_) {
+            if (piece.area.empty()) continue;
+            auto group = std::find_if(start.groups.begin(), start.groups.end(),
+                                      [&](const StartGroup& known) { return known.tag == piece.tag; });
+            if (group == start.groups.end()) {
+                start.groups.push_back({piece.tag, child(Key{hash_text("start group")}, start.groups.size() + 1), {}});
+                group = start.groups.end() - 1;
+            }
+            for (std::size_t i = 0; i < piece.area.size(); ++i) {
+                group->shapes.push_back({static_cast<std::uint32_t>(start.polygons.size()), child(piece.key, i)});
+                start.polygons.add(piece.area[i]);
+            }
+        }
+        return start;
+    }
+
+    const Settings& settings_;
+    const Document& document_;
+    const Inputs& inputs_;
+    std::vector<Piece> pieces_;
+    Diagnostics diagnostics_;
+    std::size_t number_ = 0;
+};
+
+}  // namespace
+
+Result<PlaneStart> make_plane_start(const Settings& settings, const Document& document, const Inputs& inputs) {
+    return StartBuilder(settings, document, inputs).build();
+}
+
+const std::vector<OperatorDescription>& start_shape_descriptions() {
+    static const std::vector<OperatorDescription> descriptions = make_descriptions();
+    return descriptions;
+}
+
+std::vector<Name> start_files(const Document& document) {
+    std::vector<Name> files;
+    const auto add = [&](const std::string& name, SourceSpan span) {
+        const bool known = std::any_of(files.begin(), files.end(), [&](const Name& file) { return file.text == name; });
+        if (!known) files.push_back({name, span});
+    };
+    for (const Statement& statement : document.statements) {
+        const auto* start = std::get_if<StartStatement>(&statement.node);
+        if (start == nullptr) continue;
+        if (start->from) add(start->from->text, start->from->span);
+        const auto* call = start->value ? std::get_if<CallExpression>(&start->value->node) : nullptr;
+        if (call == nullptr || call->name != "file") continue;
+        for (const CallArgument& argument : call->arguments) {
+            const auto* key = argument.key ? std::get_if<NameReference>(&argument.key->node) : nullptr;
+            if (argument.key && (key == nullptr || key->name != "name")) continue;
+            if (const auto* text = std::get_if<TextLiteral>(&argument.value->node)) add(text->text, argument.value->span);
+            break;
+        }
+    }
+    return files;
+}
+
+}  // namespace filigree

@@ -1,0 +1,269 @@
+#include "engines/tangle/draw.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "language/style.h"
+
+namespace filigree::tangle {
+namespace {
+
+constexpr Colour ink{0, 0, 0, 255};
+constexpr Colour paper{255, 255, 255, 255};
+
+// Outlines of large regions are drawn bolder than the hatching inside them.
+double pen_at_depth(std::uint32_t depth) {
+    double pen = 1.5;
+    for (std::uint32_t d = 1; d < depth && pen > 0.7; ++d) pen *= 0.86;
+    return std::max(pen, 0.7);
+}
+
+// A colour by hue in turns, saturation and lightness, all in 0..1.
+Colour from_hsl(double hue, double saturation, double lightness) {
+    const double spread = saturation * std::min(lightness, 1 - lightness);
+    const auto channel = [&](double offset) {
+        const double at = (hue - std::floor(hue)) * 12 + offset;
+        const double k = at - 12 * std::floor(at / 12);
+        const double ramp = std::clamp(std::min(k - 3, 9 - k), -1.0, 1.0);
+        return static_cast<std::uint8_t>(std::lround(255 * (lightness - spread * ramp)));
+    };
+    return {channel(0), channel(8), channel(4), 255};
+}
+
+// Styles as a drawing holds them: each once, in the order of their first use.
+class StyleTable {
+public:
+    std::uint32_t index_of(const Style& style, std::vector<Style>& styles) {
+        const auto [known, fresh] = known_.emplace(key_of(style), static_cast<std::uint32_t>(styles.size()));
+        if (fresh) styles.push_back(style);
+        return known->second;
+    }
+
+private:
+    using StyleKey = std::array<std::uint64_t, 4>;
+
+    static std::uint64_t packed(const std::optional<Colour>& colour) {
+        if (!colour) return UINT64_MAX;
+        return std::uint64_t{colour->red} << 24 | std::uint64_t{colour->green} << 16 |
+               std::uint64_t{colour->blue} << 8 | colour->alpha;
+    }
+    static StyleKey key_of(const Style& style) {
+        return {packed(style.fill), packed(style.stroke), static_cast<std::uint64_t>(std::llround(style.pen * 1e6)),
+                static_cast<std::uint64_t>(style.corner)};
+    }
+
+    std::map<StyleKey, std::uint32_t> known_;
+};
+
+void apply(const StyleOverride& over, Style& style) {
+    if (over.fill) style.fill = *over.fill;
+    if (over.stroke) style.stroke = *over.stroke;
+    if (over.pen) style.pen = *over.pen;
+    if (over.corner) {
+        style.corner = *over.corner == StyleCorner::mitre   ? Corner::mitre
+                       : *over.corner == StyleCorner::bevel ? Corner::bevel
+                                                            : Corner::round;
+    }
+}
+
+// What a style's expressions may ask of a shape.
+Scope shape_scope(const Tangle& tangle, const Group& group, std::uint32_t number, std::size_t index) {
+    const Shape& shape = group.shapes[index];
+    const PolygonView polygon = tangle.polygon(shape);
+    const Box box = bounds(polygon);
+    const Vec centre = centroid(polygon);
+    Scope scope;
+    const auto add = [&](const char* name, double value, std::int8_t length_power) {
+        scope.names[name] = Value{Quantity{value, length_power, false}, {}};
+    };
+    add("area", area(polygon), 2);
+    add("width", to_px(box.max).x - to_px(box.min).x, 1);
+    add("height", to_px(box.max).y - to_px(box.min).y, 1);
+    add("x", centre.x, 1);
+    add("y", centre.y, 1);
+    add("index", static_cast<double>(index + 1), 0);
+    add("i", shape.column, 0);
+    add("j", shape.row, 0);
+    add("depth", group.depth, 0);
+    add("group", number, 0);
+    return scope;
+}
+
+class Drawer {
+public:
+    Drawer(const Tangle& tangle, const Grammar& grammar, const Settings& settings, StyleSheet sheet, ColourBy colour_by)
+        : tangle_(tangle), grammar_(grammar), sheet_(std::move(sheet)), colour_by_(colour_by) {
+        for (const std::string& tag : grammar.tags) {
+            tag_styles_.push_back(style_of_tag(sheet_, tag));
+            is_named_.push_back(std::any_of(settings.styles.begin(), settings.styles.end(), [&](const StyleStatement* style) {
+                return std::any_of(style->tags.begin(), style->tags.end(),
+                                   [&](const Name& name) { return name.text == tag; });
+            }));
+        }
+    }
+
+    Result<Drawing> draw() {
+        drawing_.geometry = tangle_.geometry;
+        drawing_.groups.emplace_back();  // the starts
+        for (std::uint32_t g = 0; g < tangle_.start_groups; ++g) draw_leaf(g);
+        drawing_.groups[0].end_shape = shape_count();
+        std::vector<std::string> paths(tangle_.groups.size());
+        for (std::uint32_t g = 0; g < tangle_.start_groups; ++g) paths[g] = path_of(g, "");
+        for (std::uint32_t s = 0; s < tangle_.steps.size() && errors_.empty(); ++s) {
+            const Step& step = tangle_.steps[s];
+            DrawingGroup group;
+            group.path = paths[step.group] + "/" + grammar_.rules[step.rule].segment;
+            group.first_shape = shape_count();
+            for (std::uint32_t g = step.first_output; g < step.end_output; ++g) {
+                if (tangle_.groups[g].consumer == none) {
+                    draw_leaf(g);
+                } else {
+                    paths[g] = path_of(g, group.path + "/");
+                }
+            }
+            group.end_shape = shape_count();
+            const std::uint32_t producer = tangle_.groups[step.group].producer;
+            drawing_.groups[producer == none ? 0 : producer + 1].children.push_back(s + 1);
+            drawing_.groups.push_back(std::move(group));
+        }
+        for (std::uint32_t s = 0; s < tangle_.steps.size(); ++s) draw_overlay(s);
+        if (!errors_.empty()) return errors_;
+        return std::move(drawing_);
+    }
+
+private:
+    std::uint32_t shape_count() const { return static_cast<std::uint32_t>(drawing_.shapes.size()); }
+
+    std::string path_of(std::uint32_t group, const std::string& prefix) const {
+        const Group& here = tangle_.groups[group];
+        std::string path = prefix + (here.hidden ? "_" : grammar_.tags[here.tag]);
+        if (here.ordinal != 0) path += "[" + std::to_string(here.ordinal) + "]";
+        return path;
+    }
+
+    void add_shape(const Shape& shape, const Style& style) {
+        drawing_.shapes.push_back({shape.geometry, shape.polygon, styles_.index_of(style, drawing_.styles), shape.key});
+    }
+
+    Colour false_colour(const Group& group, std::uint32_t number) const {
+        // Hues a golden section apart differ well for any number of them.
+        constexpr double golden = 0.61803398874989485;
+        if (colour_by_ == ColourBy::group) return from_hsl(golden * number, 0.55, 0.62);
+        if (colour_by_ == ColourBy::step) {
+            const double steps = std::max<double>(1, static_cast<double>(tangle_.steps.size()));
+            const double at = group.producer == none ? 0 : (group.producer + 1) / steps;
+            return from_hsl(0.62 - 0.5 * at, 0.6, 0.3 + 0.5 * at);
+        }
+        const double shade = golden * number - std::floor(golden * number);
+        return from_hsl(golden * group.tag, 0.6, 0.45 + 0.35 * shade);
+    }
+
+    Style base_style(const Group& group, const Shape& shape, std::uint32_t number) const {
+        Style style;
+        style.pen = pen_at_depth(group.depth);
+        if (colour_by_ != ColourBy::style) {
+            style.fill = false_colour(group, number);
+            style.stroke = ink;
+            style.pen = 0.7;
+            return style;
+        }
+        style.fill = shape.inked ? ink : shape.fill.value_or(paper);
+        style.stroke = shape.border_in_paper ? paper : ink;
+        if (shape.is_mark) style.stroke.reset();
+        return style;
+    }
+
+    std::optional<StyleOverride> override_of(std::uint32_t group, std::size_t index) {
+        const TagStyle& of_tag = tag_styles_[tangle_.groups[group].tag];
+        if (of_tag.is_constant) return of_tag.common;
+        const Scope scope = shape_scope(tangle_, tangle_.groups[group], group + 1, index);
+        const Result<StyleOverride> style =
+            style_of_shape(sheet_, of_tag, scope, tangle_.groups[group].shapes[index].key);
+        if (style) return *style;
+        if (errors_.empty()) errors_ = style.diagnostics();
+        return std::nullopt;
+    }
+
+    void draw_leaf(std::uint32_t number) {
+        const Group& group = tangle_.groups[number];
+        if (group.consumer != none || group.hidden) return;
+        for (std::size_t i = 0; i < group.shapes.size() && errors_.empty(); ++i) {
+            Style style = base_style(group, group.shapes[i], number);
+            if (colour_by_ == ColourBy::style) {
+                if (const auto over = override_of(number, i)) apply(*over, style);
+            }
+            if (style.fill || style.stroke) add_shape(group.shapes[i], style);
+        }
+    }
+
+    // The borders of shapes that a step expanded, where a style names their tag.
+    void draw_overlay(std::uint32_t step) {
+        const std::uint32_t number = tangle_.steps[step].group;
+        const Group& group = tangle_.groups[number];
+        DrawingGroup& drawn = drawing_.groups[step + 1];
+        drawn.first_overlay = shape_count();
+        if (is_named_[group.tag] && colour_by_ == ColourBy::style) {
+            for (std::size_t i = 0; i < group.shapes.size() && errors_.empty(); ++i) {
+                Style style = base_style(group, group.shapes[i], number);
+                const auto over = override_of(number, i);
+                if (!over || !(over->pen || over->stroke)) continue;
+                apply(*over, style);
+                style.fill.reset();
+                if (style.stroke && style.pen > 0) add_shape(group.shapes[i], style);
+            }
+        }
+        drawn.end_overlay = shape_count();
+    }
+
+    const Tangle& tangle_;
+    const Grammar& grammar_;
+    StyleSheet sheet_;
+    ColourBy colour_by_;
+    std::vector<TagStyle> tag_styles_;  // of each tag
+    std::vector<bool> is_named_;        // whether a style names it, other than by *
+    StyleTable styles_;
+    Drawing drawing_;
+    Diagnostics errors_;
+};
+
+// The starts in the middle of the page; a page that fits lies around them.
+Canvas canvas_of(const Tangle& tangle, const Settings& settings, const Document& document, Diagnostics& warnings) {
+    const Box box = bounds(*tangle.geometry[0]);
+    const Vec low = to_px(box.min), high = to_px(box.max);
+    const Vec extent = high - low;
+    Canvas canvas;
+    const Unit unit = document.units.empty() ? Unit::px : document.units[0];
+    canvas.in_mm = settings.page.in_mm || unit == Unit::mm || unit == Unit::cm || unit == Unit::m;
+    if (settings.page.kind == PageStatement::Kind::fit) {
+        const double margin = settings.page.margin.value_or(std::max(2.0, 0.02 * std::max(extent.x, extent.y)));
+        canvas.origin = low - Vec{margin, margin};
+        canvas.size = extent + Vec{2 * margin, 2 * margin};
+        return canvas;
+    }
+    canvas.size = {settings.page.width, settings.page.height};
+    canvas.origin = 0.5 * (low + high) - 0.5 * canvas.size;
+    const double margin = settings.page.margin.value_or(0);
+    if (extent.x > canvas.size.x - 2 * margin + 1e-6 || extent.y > canvas.size.y - 2 * margin + 1e-6) {
+        warnings.push_back(warning("page.too-small", "the starts are larger than the page within its margins", {},
+                                   {"a larger page, a smaller start, or `page fit`"}));
+    }
+    return canvas;
+}
+
+}  // namespace
+
+Result<Drawing> draw(const Tangle& tangle, const Grammar& grammar, const Settings& settings, const Document& document,
+                     ColourBy colour_by) {
+    Result<StyleSheet> sheet = read_styles(settings, document);
+    if (!sheet) return sheet.diagnostics();
+    Diagnostics warnings;
+    const Canvas canvas = canvas_of(tangle, settings, document, warnings);
+    Result<Drawing> drawing = Drawer(tangle, grammar, settings, std::move(*sheet), colour_by).draw();
+    if (!drawing) return drawing;
+    drawing->canvas = canvas;
+    return Result<Drawing>(std::move(*drawing), std::move(warnings));
+}
+
+}  // namespace filigree::tangle

@@ -1,0 +1,187 @@
+#include "formats/png_write.h"
+
+#include <cairo.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "formats/png_encode.h"
+
+namespace filigree {
+namespace {
+
+constexpr double most_pixels_a_side = 32'000;
+constexpr double most_pixels = 400e6;
+// Cairo counts in 24.8 bit fixed point and does not notice where that is left; outlines are cut before.
+constexpr double farthest = 1 << 20;
+constexpr double mitre_limit = 4;  // SVG's own
+
+struct CairoDeleter {
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+    void operator()(cairo_t* context) const { cairo_destroy(context); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, CairoDeleter>;
+using CairoContext = std::unique_ptr<cairo_t, CairoDeleter>;
+
+Diagnostic cairo_fault(cairo_status_t status) {
+    const bool is_memory = status == CAIRO_STATUS_NO_MEMORY || status == CAIRO_STATUS_INVALID_SIZE;
+    return fault(is_memory ? Fault::limit : Fault::internal, "png.not-drawn",
+                 std::string("the picture could not be drawn: ") + cairo_status_to_string(status));
+}
+
+void set_source(cairo_t* cairo, Colour colour) {
+    cairo_set_source_rgba(cairo, colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0, colour.alpha / 255.0);
+}
+
+struct Rectangle {  // pixels
+    Vec min, max;
+};
+
+// The part of a ring on one side of a line parallel to an axis (Sutherland and Hodgman).
+std::vector<Vec> cut(const std::vector<Vec>& ring, double Vec::*axis, double at, bool keep_above) {
+    std::vector<Vec> kept;
+    const auto is_kept = [&](Vec p) { return keep_above ? p.*axis >= at : p.*axis <= at; };
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Vec from = ring[i], to = ring[(i + 1) % ring.size()];
+        if (is_kept(from)) kept.push_back(from);
+        if (is_kept(from) == is_kept(to)) continue;
+        Vec crossing = from + (to - from) * ((at - from.*axis) / (to.*axis - from.*axis));
+        crossing.*axis = at;
+        kept.push_back(crossing);
+    }
+    return kept;
+}
+
+class Painter {
+public:
+    Painter(cairo_t* cairo, const Drawing& drawing, double scale, Vec size)
+        : cairo_(cairo), drawing_(drawing), scale_(scale), size_(size) {
+        cairo_set_fill_rule(cairo_, CAIRO_FILL_RULE_EVEN_ODD);
+        cairo_set_miter_limit(cairo_, mitre_limit);
+    }
+
+    void paint() {
+        for (const PaintStep& step : painting_steps(drawing_)) {
+            for (std::uint32_t s = step.first; s < step.end; ++s) paint(drawing_.shapes[s]);
+        }
+    }
+
+private:
+    void paint(const DrawnShape& shape) {
+        const Style& style = drawing_.styles[shape.style];
+        const bool has_stroke = style.stroke.has_value() && style.pen > 0 && std::isfinite(style.pen);
+        const double pen = has_stroke ? std::min(style.pen * scale_, farthest) : 0;
+        const PolygonView polygon = (*drawing_.geometry[shape.geometry])[shape.polygon];
+        if (polygon.ring_count() == 0 || (!style.fill && !has_stroke)) return;
+
+        const Box box = bounds(polygon);
+        const Vec min = to_pixels(box.min), max = to_pixels(box.max);
+        const double margin = pen * mitre_limit / 2 + 2;
+        if (max.x < -margin || max.y < -margin || min.x > size_.x + margin || min.y > size_.y + margin) return;
+        const bool is_near = std::min(min.x, min.y) >= -farthest && std::max(max.x, max.y) <= farthest;
+
+        cairo_new_path(cairo_);
+        for (std::size_t r = 0; r < polygon.ring_count(); ++r) {
+            if (is_near) {
+                begin_ring();
+                for (const Point p : polygon.ring(r)) line_to(to_pixels(p));
+                cairo_close_path(cairo_);
+            } else {
+                add_cut_ring(polygon.ring(r), {{-margin, -margin}, {size_.x + margin, size_.y + margin}});
+            }
+        }
+        if (style.fill) {
+            set_source(cairo_, *style.fill);
+            if (has_stroke) {
+                cairo_fill_preserve(cairo_);
+            } else {
+                cairo_fill(cairo_);
+            }
+        }
+        if (has_stroke) stroke(style, pen);
+    }
+
+    void stroke(const Style& style, double pen) {
+        set_source(cairo_, *style.stroke);
+        cairo_set_line_width(cairo_, pen);
+        cairo_set_line_join(cairo_, style.corner == Corner::mitre   ? CAIRO_LINE_JOIN_MITER
+                                    : style.corner == Corner::round ? CAIRO_LINE_JOIN_ROUND
+                                                                    : CAIRO_LINE_JOIN_BEVEL);
+        cairo_stroke(cairo_);
+    }
+
+    // What is cut off, and the edges along the cut, lie farther outside than the pen reaches.
+    void add_cut_ring(RingView ring, const Rectangle& within) {
+        std::vector<Vec> points;
+        points.reserve(ring.size());
+        for (const Point p : ring) points.push_back(to_pixels(p));
+        points = cut(points, &Vec::x, within.min.x, true);
+        points = cut(points, &Vec::x, within.max.x, false);
+        points = cut(points, &Vec::y, within.min.y, true);
+        points = cut(points, &Vec::y, within.max.y, false);
+        if (points.empty()) return;
+        begin_ring();
+        for (const Vec p : points) line_to(p);
+        cairo_close_path(cairo_);
+    }
+
+    void begin_ring() { cairo_new_sub_path(cairo_); }  // the next line only moves
+    void line_to(Vec p) { cairo_line_to(cairo_, p.x, p.y); }
+    Vec to_pixels(Point p) const { return (to_px(p) - drawing_.canvas.origin) * scale_; }
+
+    cairo_t* cairo_;
+    const Drawing& drawing_;
+    const double scale_;
+    const Vec size_;  // pixels
+};
+
+}  // namespace
+
+Result<std::string> to_png(const Drawing& drawing, const PngOptions& options) {
+    const Canvas& canvas = drawing.canvas;
+    const Vec exact = canvas.size * options.scale;
+    if (!(options.scale > 0 && exact.x > 0 && exact.y > 0) || !std::isfinite(exact.x) || !std::isfinite(exact.y) ||
+        !is_on_plane(canvas.origin)) {
+        return fault(Fault::limit, "png.no-size", "a picture needs a width, a height and a scale above 0");
+    }
+    // What rounding left over is no further pixel.
+    const Vec size{std::max(1.0, std::ceil(exact.x - 1e-6)), std::max(1.0, std::ceil(exact.y - 1e-6))};
+    if (size.x > most_pixels_a_side || size.y > most_pixels_a_side || size.x * size.y > most_pixels) {
+        Diagnostic refused = fault(Fault::limit, "png.too-large",
+                                   "the picture would have more than 32,000 pixels a side or 400,000,000 in all");
+        refused.hints = {"choose a smaller scale"};
+        return refused;
+    }
+    const Colour paper = canvas.background.value_or(Colour{255, 255, 255, 255});
+    const bool has_alpha = paper.alpha != 255;
+    const auto width = static_cast<int>(size.x), height = static_cast<int>(size.y);
+    const Surface surface(
+        cairo_image_surface_create(has_alpha ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24, width, height));
+    if (const cairo_status_t status = cairo_surface_status(surface.get()); status != CAIRO_STATUS_SUCCESS) {
+        return cairo_fault(status);
+    }
+    const CairoContext cairo(cairo_create(surface.get()));
+    set_source(cairo.get(), paper);
+    cairo_set_operator(cairo.get(), CAIRO_OPERATOR_SOURCE);
+    cairo_paint(cairo.get());
+    cairo_set_operator(cairo.get(), CAIRO_OPERATOR_OVER);
+    Painter(cairo.get(), drawing, options.scale, size).paint();
+    if (const cairo_status_t status = cairo_status(cairo.get()); status != CAIRO_STATUS_SUCCESS) {
+        return cairo_fault(status);
+    }
+    cairo_surface_flush(surface.get());
+    PixelView pixels;
+    pixels.width = static_cast<std::uint32_t>(width);
+    pixels.height = static_cast<std::uint32_t>(height);
+    pixels.rows = cairo_image_surface_get_data(surface.get());
+    pixels.stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
+    pixels.has_alpha = has_alpha;
+    return encode_png(pixels, options.scale);
+}
+
+}  // namespace filigree

@@ -1,0 +1,204 @@
+#include "language/edit.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "base/number_text.h"
+#include "base/unicode.h"
+#include "language/evaluate.h"
+#include "language/lexer.h"
+#include "language/parse.h"
+#include "language/token_text.h"
+
+namespace filigree {
+
+namespace {
+
+std::string spliced(std::string_view text, std::size_t begin, std::size_t end, std::string_view with) {
+    std::string result;
+    result.reserve(text.size() - (end - begin) + with.size());
+    result += text.substr(0, begin);
+    result += with;
+    result += text.substr(end);
+    return result;
+}
+
+// --- the seed --------------------------------------------------------------------------------------------------
+
+std::string with_new_line_at_start(std::string_view text, std::string_view line) {
+    const std::size_t first_end = text.find('\n');
+    const bool has_returns = first_end != std::string_view::npos && first_end > 0 && text[first_end - 1] == '\r';
+    return spliced(text, text_start(text), text_start(text), std::string(line) + (has_returns ? "\r\n" : "\n"));
+}
+
+// A statement in the line behind the one that ends at `offset`, or behind it with a ';' where others share its line.
+std::string with_new_line_behind(std::string_view text, std::uint32_t offset, std::string_view line) {
+    const Token next = read_token(text, offset, LexMode::value, false);
+    if (next.kind == TokenKind::semicolon) return spliced(text, offset, offset, "; " + std::string(line));
+    if (next.kind == TokenKind::end_of_text) {
+        const std::size_t last = text.rfind('\n');
+        const bool has_returns = last != std::string_view::npos && last > 0 && text[last - 1] == '\r';
+        return spliced(text, text.size(), text.size(), (has_returns ? "\r\n" : "\n") + std::string(line));
+    }
+    const bool has_returns = text[next.end - 2] == '\r';
+    return spliced(text, next.end, next.end, std::string(line) + (has_returns ? "\r\n" : "\n"));
+}
+
+// --- parameters --------------------------------------------------------------------------------------------------
+
+const ParamStatement* find_parameter(const Document& document, std::string_view name) {
+    for (const Statement& statement : document.statements) {
+        const ParamStatement* param = std::get_if<ParamStatement>(&statement.node);
+        if (param != nullptr && param->name.span.file == 0 && param->name.text == name) return param;
+    }
+    return nullptr;
+}
+
+Diagnostic unknown_parameter(const Document& document, std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const Statement& statement : document.statements) {
+        const ParamStatement* param = std::get_if<ParamStatement>(&statement.node);
+        if (param == nullptr) continue;
+        if (param->name.text == name) {
+            return error("edit.included-parameter",
+                         "the parameter " + in_quotes(name) + " belongs to the included file " +
+                             in_quotes(document.sources[param->name.span.file].name),
+                         {}, {"change it there"});
+        }
+        if (param->name.span.file == 0) names.push_back(param->name.text);
+    }
+    return error("edit.unknown-parameter", "there is no parameter " + in_quotes(name), {}, did_you_mean(name, names));
+}
+
+// A number that does not depend on parameters or choices.
+std::optional<Quantity> constant_quantity(const Expression& expression, const Document& document) {
+    if (has_choice(expression)) return std::nullopt;
+    const Scope nothing;
+    Evaluation at;
+    at.document = &document;
+    at.scope = &nothing;
+    const Result<Value> value = evaluate(expression, at);
+    if (!value) return std::nullopt;
+    const Quantity* quantity = std::get_if<Quantity>(&value->data);
+    return quantity == nullptr ? std::nullopt : std::optional(*quantity);
+}
+
+// Whether both are constants and `low` is not at or below `high`.
+bool is_above(const Expression& low, const Expression& high, const Document& document) {
+    const std::optional<Quantity> first = constant_quantity(low, document);
+    const std::optional<Quantity> second = constant_quantity(high, document);
+    if (!first || !second) return false;
+    const std::optional<AdaptedPair> pair = adapted(*first, document.units[0], *second, document.units[0]);
+    return !pair || !(pair->first.value <= pair->second.value);
+}
+
+// A word, text, colour or flag: what a list of alternatives is compared with as it is written.
+bool is_written_constant(const Expression& expression, const Document& document) {
+    const NameReference* reference = std::get_if<NameReference>(&expression.node);
+    if (reference == nullptr) {
+        return std::holds_alternative<TextLiteral>(expression.node) ||
+               std::holds_alternative<ColourLiteral>(expression.node) ||
+               std::holds_alternative<BoolLiteral>(expression.node);
+    }
+    return std::none_of(document.statements.begin(), document.statements.end(), [&](const Statement& statement) {
+        const ParamStatement* param = std::get_if<ParamStatement>(&statement.node);
+        const LetStatement* let = std::get_if<LetStatement>(&statement.node);
+        const PaletteStatement* palette = std::get_if<PaletteStatement>(&statement.node);
+        return (param != nullptr && param->name.text == reference->name) ||
+               (let != nullptr && let->name.text == reference->name) ||
+               (palette != nullptr && palette->name.text == reference->name);
+    });
+}
+
+// The alternatives of a domain that is a list or a one_of.
+std::vector<ExpressionPtr> alternatives_of(const Expression& domain) {
+    if (const ListExpression* list = std::get_if<ListExpression>(&domain.node)) return list->items;
+    std::vector<ExpressionPtr> alternatives;
+    const CallExpression* call = std::get_if<CallExpression>(&domain.node);
+    if (call == nullptr || call->name != "one_of") return alternatives;
+    for (const CallArgument& argument : call->arguments) {
+        alternatives.push_back(argument.key ? argument.key : argument.value);
+    }
+    return alternatives;
+}
+
+bool is_outside(const Expression& value, const Expression& domain, const Document& document) {
+    if (const RangeExpression* range = std::get_if<RangeExpression>(&domain.node)) {
+        const RangeExpression* choice = std::get_if<RangeExpression>(&value.node);
+        const Expression& least = choice != nullptr ? *choice->low : value;
+        const Expression& greatest = choice != nullptr ? *choice->high : value;
+        return is_above(*range->low, least, document) || is_above(greatest, *range->high, document);
+    }
+    const std::vector<ExpressionPtr> alternatives = alternatives_of(domain);
+    const bool is_number = constant_quantity(value, document).has_value();
+    if (alternatives.empty() || (!is_number && !is_written_constant(value, document))) return false;
+    return std::none_of(alternatives.begin(), alternatives.end(), [&](const ExpressionPtr& alternative) {
+        if (!is_number) return same_meaning(value, *alternative) || !is_written_constant(*alternative, document);
+        return !is_above(value, *alternative, document) && !is_above(*alternative, value, document);
+    });
+}
+
+// Whether a `?` or an `in` of the value, outside brackets, would meet the statement's own words.
+bool meets_statement(const Expression& value) {
+    if (const ConditionalExpression* conditional = std::get_if<ConditionalExpression>(&value.node)) {
+        return conditional->condition->span.begin == value.span.begin;
+    }
+    const WithinExpression* within = std::get_if<WithinExpression>(&value.node);
+    return within != nullptr && within->value->span.begin == value.span.begin;
+}
+
+std::string_view text_of(const Expression& expression, std::string_view text) {
+    return text.substr(expression.span.begin, expression.span.end - expression.span.begin);
+}
+
+}  // namespace
+
+std::string with_seed(const Document& document, std::uint64_t seed) {
+    const std::string& text = document.text();
+    const std::string digits = to_text(seed);
+    std::optional<std::uint32_t> behind_grammar, behind_version;
+    for (const Statement& statement : document.statements) {
+        if (statement.span.file != 0) continue;
+        if (const SeedStatement* old = std::get_if<SeedStatement>(&statement.node)) {
+            return spliced(text, old->value_span.begin, old->value_span.end, digits);
+        }
+        if (std::holds_alternative<GrammarStatement>(statement.node) && !behind_grammar) {
+            behind_grammar = statement.span.end;
+        }
+        if (std::holds_alternative<VersionStatement>(statement.node)) behind_version = statement.span.end;
+    }
+    const std::string line = "seed " + digits;
+    const std::optional<std::uint32_t> behind = behind_grammar ? behind_grammar : behind_version;
+    return behind ? with_new_line_behind(text, *behind, line) : with_new_line_at_start(text, line);
+}
+
+Result<std::string> with_parameter(const Document& document, std::string_view name, std::string_view value) {
+    const std::string& text = document.text();
+    const std::string wanted = unicode::normalise(name);
+    const ParamStatement* param = find_parameter(document, wanted);
+    if (param == nullptr) return unknown_parameter(document, wanted);
+    Result<ExpressionPtr> parsed = parse_expression(value);
+    if (!parsed) return std::move(parsed).diagnostics();
+    // Bare lengths are in the document's unit.
+    const ExpressionPtr expression = *parse_expression(value, 0);
+    if (param->domain && is_outside(*expression, *param->domain, document)) {
+        return error("edit.outside-domain",
+                     in_quotes(text_of(*expression, value)) + " is not in the domain " +
+                         in_quotes(text_of(*param->domain, text)) + " of the parameter " + in_quotes(wanted));
+    }
+
+    std::string written(text_of(*expression, value));
+    if (meets_statement(*expression)) {
+        written = "(" + written + ")";
+        Result<ExpressionPtr> again = parse_expression(written);
+        if (!again) return std::move(again).diagnostics();
+    }
+    // A number must not meet the letters behind it.
+    const std::uint32_t end = param->value->span.end;
+    const bool is_alone = end == text.size() || std::string_view(" \t\r\n;").find(text[end]) != std::string_view::npos;
+    if (!is_alone) written += ' ';
+    return spliced(text, param->value->span.begin, end, written);
+}
+
+}  // namespace filigree

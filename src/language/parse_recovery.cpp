@@ -1,0 +1,197 @@
+// Failures of a statement, and where to go on behind one.
+#include <utility>
+
+#include "language/parser.h"
+#include "language/token_text.h"
+
+namespace filigree {
+
+namespace {
+
+bool opens(TokenKind kind) { return kind == TokenKind::open_round || kind == TokenKind::open_square; }
+bool closes(TokenKind kind) { return kind == TokenKind::close_round || kind == TokenKind::close_square; }
+TokenKind partner(TokenKind open) {
+    return open == TokenKind::open_round ? TokenKind::close_round : TokenKind::close_square;
+}
+
+// What never stands inside ( ) or [ ], so that an open one must have been forgotten.
+bool ends_brackets(TokenKind kind) {
+    return kind == TokenKind::end_of_text || kind == TokenKind::arrow || kind == TokenKind::semicolon ||
+           kind == TokenKind::open_curly || kind == TokenKind::close_curly;
+}
+
+}  // namespace
+
+void Parser::fail(const Token& at, Diagnostic diagnostic) {
+    if (has_failed_) return;
+    has_failed_ = true;
+    failed_at_ = at;
+    report(std::move(diagnostic));
+}
+
+void Parser::fail_expected(std::string_view code, std::string_view wanted, std::vector<std::string> hints) {
+    const Token found = ahead_;
+    if (found.kind == TokenKind::invalid) return fail(found, explain(found, text_, file_));
+    const bool is_unmatched = (closes(found.kind) && open_.empty()) ||
+                              (found.kind == TokenKind::close_curly && open_.empty() && !open_block_);
+    if (is_unmatched) {
+        return fail(found, error("language.unmatched-bracket", "this " + describe(found, text_) + " closes nothing",
+                                 span_of(found)));
+    }
+    const bool is_end = found.kind == TokenKind::end_of_line || found.kind == TokenKind::end_of_text;
+    const SourceSpan span = is_end ? SourceSpan{file_, taken_end_, taken_end_} : span_of(found);
+    fail(found, error(std::string(code), "expected " + std::string(wanted) + ", found " + describe(found, text_), span,
+                      std::move(hints)));
+}
+
+void Parser::fail_behind_value(std::string_view code, std::string_view wanted, std::vector<std::string> hints) {
+    const Token found = peek();
+    if (found.kind == TokenKind::assign) {
+        std::vector<std::string> ways = {"a comparison is written '=='"};
+        if (!open_.empty()) ways.push_back("an argument is named with ':', as in 'size: 20'");
+        return fail(found, error("language.lone-equals", "found '=' inside an expression", span_of(found), ways));
+    }
+    if (found.kind == TokenKind::name) {
+        const std::string_view word = bytes_of(found);
+        if (word == "and") hints = {"'and' is written '&&'"};
+        if (word == "or") hints = {"'or' is written '||'"};
+        if (word == "mod") hints = {"a remainder is written 'mod(a, b)'"};
+    }
+    fail_expected(code, wanted, std::move(hints));
+}
+
+bool Parser::fail_if_unclosed() {
+    if (open_.empty()) return false;
+    const Token found = ahead_;
+    const Token& open = open_.back();
+    const bool is_wrong_partner = closes(found.kind) && found.kind != partner(open.kind);
+    if (!is_wrong_partner && !ends_brackets(found.kind)) return false;
+    fail_unclosed(open, found);
+    return true;
+}
+
+void Parser::fail_unclosed(const Token& open, const Token& found) {
+    const std::string sign(bytes_of(open));
+    const std::string_view close = sign == "(" ? "')'" : sign == "[" ? "']'" : sign == "<" ? "'>'" : "'}'";
+    fail(found, error("language.unclosed-bracket", "this '" + sign + "' is never closed", span_of(open),
+                      {"expected " + std::string(close) + " before " + describe(found, text_)}));
+}
+
+void Parser::fail_in_list() {
+    peek(ahead_mode_);
+    if (ahead_.kind == TokenKind::invalid) return fail_expected("", "");
+    if (fail_if_unclosed()) return;
+    const Token open = open_.back();
+    if (ahead_.kind != TokenKind::assign && !behind_brackets(ahead_.begin, open_.size())) {
+        return fail_unclosed(open, ahead_);
+    }
+    const std::string wanted = open.kind == TokenKind::open_round ? "',' or ')'" : "',' or ']'";
+    if (ahead_mode_ == LexMode::tag) return fail_expected("language.unexpected-token", wanted);
+    const bool may_be_named = open.kind == TokenKind::open_round && (at(TokenKind::number) || at(TokenKind::name));
+    std::vector<std::string> hints;
+    if (may_be_named) hints = {"an argument is named with ':', as in 'size: 20'"};
+    fail_behind_value("language.unexpected-token", wanted, std::move(hints));
+}
+
+void Parser::fail_trailing_comma(const Token& comma, std::vector<std::string> hints) {
+    fail(comma,
+         error("language.trailing-comma", "found a ',' with nothing behind it", span_of(comma), std::move(hints)));
+}
+
+// --- going on ------------------------------------------------------------------------------------------------------
+
+// Looking ahead has a budget in proportion to the text, so that many failures stay linear together.
+bool Parser::spend(const Token& token, std::uint32_t from) {
+    const std::uint64_t cost = std::uint64_t{token.end} - from + 1;
+    if (cost > lookahead_left_) return false;
+    lookahead_left_ -= cost;
+    return true;
+}
+
+std::optional<std::uint32_t> Parser::behind_brackets(std::uint32_t from, std::size_t depth) {
+    while (true) {
+        const Token token = read_token(text_, from, LexMode::value, true);
+        if (ends_brackets(token.kind) || !spend(token, from)) return std::nullopt;
+        if (opens(token.kind)) ++depth;
+        if (closes(token.kind) && --depth == 0) return token.end;
+        from = token.end;
+    }
+}
+
+std::optional<std::uint32_t> Parser::behind_block(std::uint32_t open) {
+    std::size_t depth = 0;
+    for (std::uint32_t from = open;;) {
+        const Token token = read_token(text_, from, LexMode::value, true);
+        if (token.kind == TokenKind::end_of_text || !spend(token, from)) return std::nullopt;
+        if (token.kind == TokenKind::open_curly) ++depth;
+        if (token.kind == TokenKind::close_curly && --depth == 0) return token.end;
+        from = token.end;
+    }
+}
+
+void Parser::skip_failed_statement(const Token& first) {
+    std::uint32_t at = failed_at_.begin;
+    // Inside brackets that nothing closes only the end of a line can be trusted.
+    bool is_lost = false;
+    if (open_block_) {
+        const std::optional<std::uint32_t> behind = behind_block(open_block_->begin);
+        is_lost = !behind;
+        if (behind && *behind > at) at = *behind;
+    } else if (!open_.empty()) {
+        const std::optional<std::uint32_t> behind = behind_brackets(at, open_.size());
+        is_lost = !behind;
+        if (behind) at = *behind;
+    }
+    open_.clear();
+    open_block_.reset();
+    nesting_ = 0;
+    has_ahead_ = false;
+    // A failure at the start of a later line is most likely the next statement.
+    const bool is_next_statement = is_lost && failed_at_.starts_line && failed_at_.begin > first.begin;
+    at_ = is_next_statement ? at : behind_line(at, is_lost);
+    if (is_continued_) skip_continuation();
+}
+
+std::uint32_t Parser::behind_line(std::uint32_t at, bool is_lost) {
+    bool may_jump = true;
+    while (true) {
+        const Token token = read_token(text_, at, LexMode::value, false);
+        std::optional<std::uint32_t> behind;
+        switch (token.kind) {
+            case TokenKind::end_of_text:
+            case TokenKind::end_of_line: return token.begin;
+            case TokenKind::semicolon:
+                if (!is_lost) return token.begin;
+                break;
+            case TokenKind::open_round:
+            case TokenKind::open_square:
+                if (is_lost) break;
+                behind = behind_brackets(token.end, 1);
+                is_lost = !behind;
+                break;
+            case TokenKind::open_curly:
+                if (!may_jump) break;
+                behind = behind_block(token.begin);
+                may_jump = behind.has_value();
+                is_lost = is_lost || !behind;
+                break;
+            default: break;
+        }
+        at = behind.value_or(token.end);
+    }
+}
+
+void Parser::skip_continuation() {
+    const Token line_end = read_token(text_, at_, LexMode::tag, false);
+    if (line_end.kind != TokenKind::end_of_line) return;
+    const Token word = read_token(text_, line_end.end, LexMode::tag, false);
+    bool is_tags = word.kind == TokenKind::open_square || word.kind == TokenKind::less;
+    if (word.kind == TokenKind::name) {
+        const Token next = token_behind(word);
+        is_tags =
+            next.kind == TokenKind::comma || next.kind == TokenKind::end_of_line || next.kind == TokenKind::end_of_text;
+    }
+    if (is_tags) at_ = behind_line(word.begin, false);
+}
+
+}  // namespace filigree

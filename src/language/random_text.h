@@ -1,0 +1,227 @@
+// For tests: right documents as random text, with blanks, comments and line ends wherever they may stand, and
+// random damage to a text.
+#pragma once
+
+#include <cstdint>
+#include <cstdlib>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/random.h"
+
+namespace filigree {
+
+inline int case_count(int usual = 1000) {
+    const char* wanted = std::getenv("FILIGREE_CASES");
+    const int count = wanted == nullptr ? 0 : std::atoi(wanted);
+    return count > 0 ? count : usual;
+}
+
+struct RandomDocument {
+    std::string text;
+    std::size_t statements = 0;
+    std::vector<std::string> parameters;
+};
+
+class RandomText {
+public:
+    explicit RandomText(std::uint64_t seed) : seed_(seed) {}
+
+    std::uint64_t bits() { return mix(seed_ ^ mix(++count_)); }
+    std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(to_whole(bits(), count)); }
+    bool chance(std::uint32_t one_in) { return below(one_in) == 0; }
+    std::string pick(std::initializer_list<std::string_view> options) {
+        return std::string(options.begin()[below(static_cast<std::uint32_t>(options.size()))]);
+    }
+
+    RandomDocument document() {
+        RandomDocument result;
+        end_ = chance(3) ? "\r\n" : "\n";
+        if (chance(5)) result.text = "\xEF\xBB\xBF";
+        const std::uint32_t count = below(12);
+        if (chance(3)) add(result, "filigree" + gap() + "1");
+        if (chance(2)) add(result, "seed" + gap() + std::to_string(bits() >> below(64)));
+        if (!chance(5)) add(result, "grammar" + gap() + "tangle");
+        if (chance(3)) add(result, "unit" + gap() + pick({"mm", "cm", "m", "in", "pt", "px"}));
+        for (std::uint32_t i = 0; i < count; ++i) statement(result);
+        if (chance(3)) result.text += " # the end";
+        return result;
+    }
+
+    // A value of a statement: line ends only inside brackets.
+    std::string expression(int depth) {
+        if (chance(8)) return range(depth) + gap() + "?" + blank() + expression(depth - 1) + blank() + ":" + blank() + range(depth);
+        if (chance(12)) return range(depth) + gap() + "in" + gap() + range(depth);
+        return range(depth);
+    }
+    std::string range(int depth) {
+        if (chance(8)) return pick({"25..60", "1.5..2.5", "-3..3", ".5...75", "5deg..0.5turn"});
+        if (chance(8)) return operation(depth, 1) + gap() + ".." + gap() + operation(depth, 1);
+        return operation(depth, 1);
+    }
+
+private:
+    std::string blank() { return chance(2) ? "" : gap(); }
+    std::string gap() { return pick({" ", "  ", "\t", " \t "}); }
+    // Inside brackets.
+    std::string room() { return chance(6) ? blank() + pick({"", " # a note", " #"}) + end_ + blank() : blank(); }
+
+    std::string name() {
+        return pick({"gap", "in", "when", "weight", "x", "step", "start", "p\xC3\xA9tale", "p\x65\xCC\x81tale", "_a1",
+                     "\xE8\x91\x89", "margin", "true_", "mm"});
+    }
+    std::string tag() {
+        return pick({"leaf", "in", "out", "0_medium_poly", "2in", "5deg", "1e5", "when", "weight", "match", "_x", "__",
+                     "bl\xC3\xA4tt", "seed", "fit"});
+    }
+    std::string number() {
+        return pick({"0", "12", "3.5mm", "1.2m", "30deg", "40%", "1e-3", ".5", "5.", "2in", "1e5", "0.25turn", "4GB",
+                     "1E+2px", "007", "3s", "2.5e3cm"});
+    }
+    std::string text() { return pick({"\"\"", "\"leaf.svg\"", "\"# \\\" ; ) } \\\\\"", "\"\\n\\u{1F33F}\"", "\"->\""}); }
+
+    std::string call(int depth) {
+        std::string result = name() + blank() + "(" + room();
+        const std::uint32_t count = below(4);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            if (i > 0) result += "," + room();
+            if (chance(3)) result += name() + room() + ":" + room();
+            result += expression(depth - 1) + room();
+        }
+        return result + ")";
+    }
+    std::string primary(int depth) {
+        switch (depth <= 0 ? below(5) : below(9)) {
+            case 0: return number();
+            case 1: return name();
+            case 2: return text();
+            case 3: return pick({"#a03", "#A03F", "#1a1a1a", "#00000080"});
+            case 4: return pick({"true", "false", "page.width", "page . height"});
+            case 5: return "(" + room() + expression(depth - 1) + room() + ")";
+            case 6: return "(" + room() + expression(depth - 1) + room() + "," + room() + expression(depth - 1) + ")";
+            case 7: {
+                std::string list = "[" + room();
+                const std::uint32_t count = below(4);
+                for (std::uint32_t i = 0; i < count; ++i) list += (i > 0 ? "," : "") + room() + expression(depth - 1) + room();
+                return list + "]";
+            }
+            default: return call(depth);
+        }
+    }
+    std::string operation(int depth, int tier) {
+        if (tier > 5) return (chance(6) ? pick({"-", "!", "- -"}) : "") + primary(depth);
+        std::string result = operation(depth, tier + 1);
+        while (chance(7)) {
+            const std::string sign = tier == 1   ? "||"
+                                     : tier == 2 ? "&&"
+                                     : tier == 3 ? pick({"==", "!=", "<", "<=", ">", ">="})
+                                     : tier == 4 ? pick({"+", "-"})
+                                                 : pick({"*", "/", "&"});
+            result += gap() + sign + gap() + operation(depth, tier + 1);
+        }
+        return result;
+    }
+
+    std::string outputs() {
+        const bool has_brackets = chance(2);
+        std::string result = has_brackets ? "[" : "";
+        const std::uint32_t count = 1 + below(3);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const std::string space = has_brackets ? room() : blank();
+            if (i > 0) result += "," + space;
+            switch (below(5)) {
+                case 0: result += "<" + blank() + tag() + blank() + ">"; break;
+                case 1: result += "<>"; break;
+                case 2: result += "_"; break;
+                case 3: result += name() + blank() + ":" + blank() + tag(); break;
+                default: result += tag(); break;
+            }
+            if (has_brackets) result += room();
+        }
+        return result + (has_brackets ? "]" : "");
+    }
+    std::string rule() {
+        std::string result = chance(3) ? name() + blank() + "=" + blank() : "";
+        result += pick({"outline", "place", "regular_split", "regularSplit"}) + blank() + "(" + room();
+        const std::uint32_t count = below(3);
+        for (std::uint32_t i = 0; i < count; ++i) result += (i > 0 ? "," : "") + room() + expression(2) + room();
+        result += ")" + blank() + ":" + blank() + tag();
+        if (chance(3)) result += gap() + "when" + gap() + expression(1);
+        if (chance(3)) result += gap() + "weight" + gap() + expression(1);
+        if (!chance(5)) result += gap() + pick({"->", "\xE2\x86\x92"}) + blank() + outputs();
+        return result;
+    }
+    std::string style() {
+        std::string result = "style" + gap() + (chance(4) ? "*" : tag());
+        while (chance(3)) result += blank() + "," + blank() + tag();
+        if (chance(3)) result += gap() + "when" + gap() + expression(1);
+        result += gap() + "{";
+        while (!chance(3)) {
+            result += room() + pick({"fill", "stroke-width", "pen", "in"}) + blank() + ":" + blank() + expression(1) + blank();
+            result += chance(2) ? ";" : " # a note" + end_;
+        }
+        return result + room() + "}";
+    }
+    void statement(RandomDocument& into) {
+        switch (below(12)) {
+            case 0: {
+                const std::string parameter = "p" + std::to_string(into.parameters.size());
+                std::string text = "param" + gap() + parameter + blank() + "=" + blank() + range(2);
+                if (chance(2)) text += gap() + "in" + gap() + range(1);
+                if (chance(3)) text += gap() + "step" + gap() + expression(1);
+                if (chance(3)) text += gap() + "\"help\"";
+                into.parameters.push_back(parameter);
+                return add(into, text);
+            }
+            case 1: return add(into, "let" + gap() + name() + blank() + "=" + blank() + expression(2));
+            case 2:
+                return add(into, "page" + gap() + pick({"fit", "a4", "tile 10mm x 20mm", "210mm x 297mm", "a4 margin 10mm",
+                                                        "fit margin 1cm", "(3 + 4) x gap margin 2"}));
+            case 3: return add(into, "limit" + gap() + name() + gap() + expression(1));
+            case 4: return add(into, "start" + gap() + tag() + blank() + "=" + blank() + expression(2));
+            case 5: return add(into, "start" + gap() + "from" + blank() + text());
+            case 6: return add(into, style());
+            case 7: return add(into, "palette" + gap() + name() + blank() + "=" + blank() + "[#a03," + room() + "#000]");
+            case 8: return add(into, pick({"symmetry p4m", "resolution 0.25", "resolution (1 / 4)"}));
+            default: return add(into, rule());
+        }
+    }
+    void add(RandomDocument& into, const std::string& statement) {
+        ++into.statements;
+        const bool at_line_start = into.text.empty() || into.text.back() == '\n' || into.text == "\xEF\xBB\xBF";
+        while (at_line_start && chance(5)) into.text += pick({"# a comment", "## Head", "", "  # seed 5; (", "####", "#"}) + end_;
+        into.text += blank() + statement;
+        if (chance(5)) {
+            into.text += blank() + ";" + (chance(2) ? blank() : end_);
+        } else {
+            into.text += (chance(4) ? pick({" # behind", "\t#"}) : blank()) + end_;
+        }
+    }
+
+    std::uint64_t seed_;
+    std::uint64_t count_ = 0;
+    std::string end_ = "\n";
+};
+
+// Bytes removed, doubled, swapped for others that mean something, or cut off.
+inline std::string damaged(std::string text, RandomText& random) {
+    const std::uint32_t changes = 1 + random.below(4);
+    for (std::uint32_t i = 0; i < changes && !text.empty(); ++i) {
+        const std::uint32_t at = random.below(static_cast<std::uint32_t>(text.size()));
+        switch (random.below(5)) {
+            case 0: text.erase(at, 1 + random.below(6)); break;
+            case 1: text.insert(at, text.substr(random.below(static_cast<std::uint32_t>(text.size())), random.below(20))); break;
+            case 2: text.resize(at); break;
+            case 3:
+                text.insert(at, random.pick({"(", ")", "[", "]", "{", "}", "\"", "#", ";", "\n", "->", "=", ",", ":", "<", ">",
+                                             "..", "\\", "%", "\xC2\xA0", "?", "\r", "9", "when", "in", "_"}));
+                break;
+            default: text[at] = static_cast<char>(random.below(256)); break;
+        }
+    }
+    return text;
+}
+
+}  // namespace filigree

@@ -1,0 +1,55 @@
+// What a document says that every engine reads the same way, evaluated: parameters and `let` names, unit,
+// resolution, page, limits, palettes, starts and styles.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/limits.h"
+#include "base/result.h"
+#include "language/document.h"
+#include "language/evaluate.h"
+
+namespace filigree {
+
+struct Page {
+    PageStatement::Kind kind = PageStatement::Kind::fit;
+    double width = 0, height = 0;  // px; 0 for `fit`
+    std::optional<double> margin;  // px
+    bool in_mm = false;            // whether it was given in a metric unit or by name
+};
+
+struct StartSetting {
+    std::string tag;             // empty for `start from`
+    std::optional<Value> value;  // a SymbolicCall such as rectangle(...); none for `start from`
+    std::optional<Name> from;
+    SourceSpan span;
+};
+
+struct Settings {
+    std::string engine;  // "tangle"
+    SourceSpan engine_span;
+    std::uint64_t seed = 0;
+    double resolution = 0.25;  // px: tolerance for flattening curves
+    Page page;
+    Limits limits;
+    std::optional<Name> symmetry;  // the group as written; the engine knows which it can
+    Scope globals;                 // params, lets, palettes (as lists), page.width, page.height
+    std::vector<StartSetting> starts;
+    std::vector<const StyleStatement*> styles;  // in order; point into the document (style.h reads them)
+    std::vector<const GroupRule*> rules;        // likewise
+    std::vector<SourceSpan> rule_spans;
+};
+
+// `document` must outlive the result. Reports: two or no `grammar`, doubled names (param, let, palette share
+// one space), values outside a parameter's domain, wrong kinds, unknown limits, pages and units, and names that are
+// defined later than they are used. Warns of names that rules and styles use for something else (area, x, ...).
+// Choices in `param` and `let` are drawn once, at the key of "let/NAME".
+// Named pages: a0..a6, letter, legal, tabloid; portrait.
+Result<Settings> read_settings(const Document& document);
+
+// Where choices in the definition of a name are drawn.
+ChoiceSite definition_site(std::uint64_t seed, std::string_view name);
+
+}  // namespace filigree

@@ -1,0 +1,77 @@
+// Styles: what `style TAG when CONDITION { property: value }` says of a shape.
+//
+// All statements whose tags match are gone through in order and later ones win, property by property. What
+// does not depend on the shape is evaluated once, when the styles are read; a tag whose styles are all like
+// that costs nothing per shape.
+//
+//   Result<StyleSheet> sheet = read_styles(settings, document);
+//   TagStyle of_leaf = style_of_tag(*sheet, "leaf");               // once a tag
+//   if (of_leaf.is_constant) use(of_leaf.common);
+//   else use(*style_of_shape(*sheet, of_leaf, shape_scope, key));  // once a shape
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "base/colour.h"
+#include "base/result.h"
+#include "language/evaluate.h"
+#include "language/settings.h"
+
+namespace filigree {
+
+enum class StyleCorner : std::uint8_t { mitre, round, bevel };
+
+// What styles say; properties that none names are absent.
+struct StyleOverride {
+    using Paint = std::optional<Colour>;  // empty: none
+    std::optional<Paint> fill = {};
+    std::optional<Paint> stroke = {};
+    std::optional<double> pen = {};  // px, at least 0
+    std::optional<StyleCorner> corner = {};
+
+    bool operator==(const StyleOverride&) const = default;
+};
+
+enum class StylePropertyKind : std::uint8_t { fill, stroke, pen, corner };
+
+struct StyleRuleProperty {
+    StylePropertyKind kind = StylePropertyKind::fill;
+    ExpressionPtr value = {};
+    std::optional<StyleOverride> constant = {};       // with this one property, where all shapes have the same
+    std::vector<StyleOverride::Paint> by_group = {};  // where it depends on nothing but the shape's group
+};
+struct StyleRule {
+    std::vector<std::string> tags = {};  // `*` matches every tag
+    ExpressionPtr condition = {};        // null: always
+    std::optional<bool> constant_condition = {};
+    std::vector<StyleRuleProperty> properties = {};
+    std::string site = {};  // names its choices: "style#2"
+};
+
+struct StyleSheet {
+    const Document* document = nullptr;
+    const Settings* settings = nullptr;
+    std::vector<StyleRule> rules = {};
+    std::vector<std::string_view> paint_words = {};  // colour words that are no names of the document, and none
+};
+
+// Checks every condition and value: unknown properties, names and words, wrong kinds, constants out of range.
+// Expressions may use the globals and, of the shape, area, width, height, x, y, index, i, j, depth and group.
+// `settings` and `document` must outlive the result.
+Result<StyleSheet> read_styles(const Settings& settings, const Document& document);
+
+struct TagStyle {
+    bool is_constant = true;
+    StyleOverride common = {};              // what holds before any shape is looked at; all of it where constant
+    std::vector<std::uint32_t> rules = {};  // the rules that must be gone through for each shape, in order
+};
+TagStyle style_of_tag(const StyleSheet& sheet, std::string_view tag);
+
+// The style of one shape. Its scope holds the shape's names (its outer scopes come before the globals); choices
+// are drawn at its key. A list of colours as fill or stroke gives the shape's group one: the first to group 1.
+Result<StyleOverride> style_of_shape(const StyleSheet& sheet, const TagStyle& of_tag, const Scope& shape, Key key);
+
+}  // namespace filigree

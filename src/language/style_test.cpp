@@ -1,0 +1,143 @@
+#include "language/style.h"
+
+#include <memory>
+#include <set>
+
+#include "base/number_text.h"
+#include "language/check.h"
+#include "language/names.h"
+#include "language/text_evaluation.h"
+
+namespace filigree {
+namespace {
+
+struct Styled {
+    std::unique_ptr<Document> document;
+    std::unique_ptr<Settings> settings;
+    Result<StyleSheet> sheet = Diagnostics{};
+};
+Styled styled(const std::string& text) {
+    Styled out;
+    out.document = std::make_unique<Document>(document_of("grammar tangle\n" + text));
+    Result<Settings> settings = read_settings(*out.document);
+    EXPECT_TRUE(settings) << to_text(settings.diagnostics(), out.document->sources);
+    out.settings = std::make_unique<Settings>(std::move(*settings));
+    out.sheet = read_styles(*out.settings, *out.document);
+    return out;
+}
+std::string complaints(const std::string& text) {
+    const Styled result = styled(text);
+    return codes_of(result.sheet.diagnostics(), *result.document);
+}
+
+Scope shape_of(double group, double area = 100) {
+    Scope scope;
+    for (const std::string_view name : style_names()) scope.names[std::string(name)] = number_value(1);
+    for (const std::string_view name : {"width", "height", "x", "y"}) scope.names[std::string(name)] = length_value(10);
+    scope.names["group"] = number_value(group);
+    scope.names["area"] = area_value(area);
+    return scope;
+}
+
+std::string text_of(const StyleOverride& style) {
+    std::string out;
+    const auto paint = [](const StyleOverride::Paint& colour) { return colour ? to_text(*colour) : "none"; };
+    if (style.fill) out += "fill " + paint(*style.fill) + " ";
+    if (style.stroke) out += "stroke " + paint(*style.stroke) + " ";
+    if (style.pen) out += "pen " + to_text(*style.pen) + " ";
+    if (style.corner) out += "corner " + std::to_string(static_cast<int>(*style.corner)) + " ";
+    return out;
+}
+std::string shown(const Styled& result, std::string_view tag, const Scope& shape, std::uint64_t key = 1) {
+    if (!result.sheet) return codes_of(result.sheet.diagnostics(), *result.document);
+    const TagStyle of_tag = style_of_tag(*result.sheet, tag);
+    const Result<StyleOverride> style = style_of_shape(*result.sheet, of_tag, shape, Key{key});
+    return style ? text_of(*style) : codes_of(style.diagnostics(), *result.document);
+}
+
+TEST(Styles, LaterOnesWinPropertyByProperty) {
+    const Styled result = styled(
+        "style * { fill: white; stroke: black }\n"
+        "style leaf, blob { fill: #a03; pen: 0.3mm }\n"
+        "style leaf { stroke: none; stroke-linejoin: miter }\n"
+        "style leaf when 1 > 2 { fill: red }\n"
+        "style leaf when true { stroke-width: 2 }\n");
+    ASSERT_TRUE(result.sheet);
+    EXPECT_EQ(shown(result, "other", shape_of(1)), "fill #ffffff stroke #000000 ");
+    EXPECT_EQ(shown(result, "leaf", shape_of(1)), "fill #aa0033 stroke none pen 2 corner 0 ");
+    const TagStyle leaf = style_of_tag(*result.sheet, "leaf");
+    EXPECT_TRUE(leaf.is_constant);
+    EXPECT_TRUE(leaf.rules.empty());
+    EXPECT_EQ(text_of(leaf.common), "fill #aa0033 stroke none pen 2 corner 0 ");
+    EXPECT_EQ(text_of(style_of_tag(*styled("").sheet, "leaf").common), "");
+}
+
+TEST(Styles, ConditionsAreEvaluatedPerShape) {
+    const Styled result = styled(
+        "unit mm\nparam size = 10\n"
+        "style leaf { fill: white }\n"
+        "style leaf when area > size * size { fill: black; pen: width / 10 }\n"
+        "style leaf { stroke: red }\n");
+    ASSERT_TRUE(result.sheet);
+    EXPECT_FALSE(style_of_tag(*result.sheet, "leaf").is_constant);
+    // 10mm squared are 1428px^2.
+    EXPECT_EQ(shown(result, "leaf", shape_of(1, 1400)), "fill #ffffff stroke #ff0000 ");
+    EXPECT_EQ(shown(result, "leaf", shape_of(1, 1500)), "fill #000000 stroke #ff0000 pen 1 ");
+}
+
+TEST(Styles, PalettesCycleByTheGroup) {
+    const Styled result = styled(
+        "palette teal = [#000001, #000002, #000003]\n"
+        "style leaf { fill: teal; stroke: [red, none] }\n"
+        "style drawn { fill: one_of(teal) }\n"
+        "style second { fill: teal(2); stroke: teal(group) }\n");
+    ASSERT_TRUE(result.sheet);
+    EXPECT_EQ(shown(result, "leaf", shape_of(1)), "fill #000001 stroke #ff0000 ");
+    EXPECT_EQ(shown(result, "leaf", shape_of(2)), "fill #000002 stroke none ");
+    EXPECT_EQ(shown(result, "leaf", shape_of(4)), "fill #000001 stroke none ");
+    EXPECT_EQ(shown(result, "leaf", shape_of(0)), "fill #000003 stroke none ");
+    EXPECT_EQ(shown(result, "second", shape_of(3)), "fill #000002 stroke #000003 ");
+    std::set<std::string> seen;
+    for (std::uint64_t key = 0; key < 40; ++key) seen.insert(shown(result, "drawn", shape_of(1), key));
+    EXPECT_EQ(seen, (std::set<std::string>{"fill #000001 ", "fill #000002 ", "fill #000003 "}));
+}
+
+// A plain statement between those that draw, or another name for the tag, changes no picture.
+TEST(Styles, PlainStatementsChangeNoDraw) {
+    const Styled a = styled("style leaf { fill: one_of(red, blue) }\nstyle leaf { stroke: one_of(red, blue) }\n");
+    const Styled b = styled(
+        "style blatt { fill: one_of(red, blue) }\nstyle blatt { pen: 3 }\n"
+        "style blatt { stroke: one_of(red, blue) }\n");
+    for (std::uint64_t key = 0; key < 40; ++key) {
+        EXPECT_EQ(shown(a, "leaf", shape_of(1), key) + "pen 3 ", shown(b, "blatt", shape_of(1), key));
+    }
+}
+
+TEST(Styles, EverythingIsCheckedUpFront) {
+    EXPECT_EQ(complaints("style leaf { fil: black }"), "language.unknown-property@fil\n");
+    EXPECT_EQ(complaints("style leaf { fill: balck }"), "language.unknown-name@balck\n");
+    EXPECT_EQ(complaints("style leaf when aera > 5 { fill: black }"), "language.unknown-name@aera\n");
+    EXPECT_EQ(complaints("style leaf when area > 30deg { pen: 30deg }"),
+              "language.wrong-kind@area > 30deg\nlanguage.wrong-kind@30deg\n");
+    EXPECT_EQ(complaints("style leaf when area { pen: -1 }"), "language.wrong-kind@area\nlanguage.out-of-range@-1\n");
+    EXPECT_EQ(complaints("style leaf { pen: area > 5 ? 1 : foo; fill: 5 }"),
+              "language.unknown-name@foo\nlanguage.wrong-kind@5\n");
+    EXPECT_EQ(complaints("style leaf { pen: area > 5 ? 1 : 5deg; stroke: area > 5 ? none : 3 }"),
+              "language.wrong-kind@5deg\nlanguage.wrong-kind@3\n");
+    EXPECT_EQ(complaints("style leaf { corner: sharp; stroke: one_of(red, 3, \"x\") }"),
+              "language.unknown-name@sharp\nlanguage.wrong-kind@3\nlanguage.wrong-kind@\"x\"\n");
+    EXPECT_EQ(complaints("style leaf when count > 1 { fill: none }"), "language.unknown-name@count\n");
+    EXPECT_EQ(complaints("style leaf when 1 / (group - 6) > 1 { pen: 1 / (index - 7) }"), "");
+    EXPECT_EQ(complaints("style leaf { pen: 9..5; fill: [] }"), "language.empty-range@9..5\nlanguage.wrong-kind@[]\n");
+}
+
+TEST(Styles, WhatOnlyAShapeShowsIsReportedThere) {
+    const Styled result = styled("style leaf { pen: 1 / (group - 6) }");
+    ASSERT_TRUE(result.sheet);
+    EXPECT_EQ(shown(result, "leaf", shape_of(6)), "language.not-finite@1 / (group - 6)\n");
+    EXPECT_EQ(shown(result, "leaf", shape_of(8)), "pen 0.5 ");
+    EXPECT_EQ(shown(result, "leaf", shape_of(5)), "language.out-of-range@1 / (group - 6)\n");
+}
+
+}  // namespace
+}  // namespace filigree

@@ -1,0 +1,146 @@
+// For tests: a document written again from its parts, one statement a line, every operation in brackets.
+//
+// Two documents mean the same if they are written alike; what is written parses to the same document.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/number_text.h"
+#include "language/document.h"
+
+namespace filigree {
+
+inline std::string unparse(const ExpressionPtr& expression);
+
+inline std::string unparse_text(std::string_view text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '\n') {
+            result += "\\n";
+        } else {
+            if (c == '"' || c == '\\') result += '\\';
+            result += c;
+        }
+    }
+    return result + "\"";
+}
+
+inline std::string unparse_unit(Unit unit) {
+    constexpr std::string_view spellings[] = {"",    "mm",  "cm",   "m", "in", "pt", "px", "deg",
+                                              "rad", "turn", "%", "KB", "MB", "GB", "s"};
+    return std::string(spellings[static_cast<std::size_t>(unit)]);
+}
+
+struct ExpressionUnparser {
+    static std::string joined(const std::vector<ExpressionPtr>& items) {
+        std::string result;
+        for (const ExpressionPtr& item : items) result += (result.empty() ? "" : ", ") + unparse(item);
+        return result;
+    }
+    std::string operator()(const NumberLiteral& node) const { return to_text(node.value) + unparse_unit(node.unit); }
+    std::string operator()(const TextLiteral& node) const { return unparse_text(node.text); }
+    std::string operator()(const ColourLiteral& node) const { return to_text(node.colour); }
+    std::string operator()(const BoolLiteral& node) const { return node.value ? "true" : "false"; }
+    std::string operator()(const NameReference& node) const { return node.name; }
+    std::string operator()(const ListExpression& node) const { return "[" + joined(node.items) + "]"; }
+    std::string operator()(const PointExpression& node) const { return "(" + joined(node.coordinates) + ")"; }
+    std::string operator()(const UnaryExpression& node) const {
+        return (node.op == UnaryOperator::negate ? "(-" : "(!") + unparse(node.operand) + ")";
+    }
+    std::string operator()(const BinaryExpression& node) const {
+        constexpr std::string_view signs[] = {"||", "&&", "==", "!=", "<", "<=", ">", ">=", "+", "-", "*", "/", "&"};
+        const std::string sign(signs[static_cast<std::size_t>(node.op)]);
+        return "(" + unparse(node.left) + " " + sign + " " + unparse(node.right) + ")";
+    }
+    std::string operator()(const ConditionalExpression& node) const {
+        return "(" + unparse(node.condition) + " ? " + unparse(node.when_true) + " : " + unparse(node.when_false) + ")";
+    }
+    std::string operator()(const RangeExpression& node) const {
+        return "(" + unparse(node.low) + " .. " + unparse(node.high) + ")";
+    }
+    std::string operator()(const WithinExpression& node) const {
+        return "(" + unparse(node.value) + " in " + unparse(node.range) + ")";
+    }
+    std::string operator()(const CallExpression& node) const {
+        std::string result = node.name + "(";
+        for (const CallArgument& argument : node.arguments) {
+            if (&argument != &node.arguments.front()) result += ", ";
+            if (argument.key) result += unparse(argument.key) + ": ";
+            result += unparse(argument.value);
+        }
+        return result + ")";
+    }
+    std::string operator()(const MemberExpression& node) const { return "(" + unparse(node.object) + "." + node.name + ")"; }
+};
+
+inline std::string unparse(const ExpressionPtr& expression) {
+    return expression ? std::visit(ExpressionUnparser{}, expression->node) : "";
+}
+
+struct StatementUnparser {
+    static std::string with(std::string_view word, const ExpressionPtr& expression) {
+        return expression ? " " + std::string(word) + " " + unparse(expression) : "";
+    }
+    std::string operator()(const VersionStatement& node) const { return "filigree " + to_text(node.version); }
+    std::string operator()(const GrammarStatement& node) const { return "grammar " + node.engine.text; }
+    std::string operator()(const SeedStatement& node) const { return "seed " + to_text(node.seed); }
+    std::string operator()(const UnitStatement& node) const { return "unit " + unparse_unit(node.unit); }
+    std::string operator()(const ResolutionStatement& node) const { return "resolution " + unparse(node.value); }
+    std::string operator()(const IncludeStatement& node) const { return "include " + unparse_text(node.file.text); }
+    std::string operator()(const ParamStatement& node) const {
+        return "param " + node.name.text + " = " + unparse(node.value) + with("in", node.domain) +
+               with("step", node.step) + (node.help ? " " + unparse_text(*node.help) : "");
+    }
+    std::string operator()(const LetStatement& node) const { return "let " + node.name.text + " = " + unparse(node.value); }
+    std::string operator()(const PageStatement& node) const {
+        const std::string size = unparse(node.width) + " x " + unparse(node.height);
+        std::string result = "page ";
+        switch (node.kind) {
+            case PageStatement::Kind::fit: result += "fit"; break;
+            case PageStatement::Kind::named: result += node.name.text; break;
+            case PageStatement::Kind::size: result += size; break;
+            case PageStatement::Kind::tile: result += "tile " + size; break;
+        }
+        return result + with("margin", node.margin);
+    }
+    std::string operator()(const LimitStatement& node) const { return "limit " + node.name.text + " " + unparse(node.value); }
+    std::string operator()(const SymmetryStatement& node) const { return "symmetry " + node.group.text; }
+    std::string operator()(const PaletteStatement& node) const {
+        return "palette " + node.name.text + " = " + unparse(node.colours);
+    }
+    std::string operator()(const StartStatement& node) const {
+        if (node.from) return "start from " + unparse_text(node.from->text);
+        return "start " + node.tag.text + " = " + unparse(node.value);
+    }
+    std::string operator()(const StyleStatement& node) const {
+        std::string result = "style ";
+        for (const Name& tag : node.tags) result += (&tag == &node.tags.front() ? "" : ", ") + tag.text;
+        result += with("when", node.condition) + " {";
+        for (const StyleProperty& property : node.properties) {
+            result += " " + property.name.text + ": " + unparse(property.value) + ";";
+        }
+        return result + " }";
+    }
+    std::string operator()(const GroupRule& node) const {
+        std::string result = node.label ? node.label->text + " = " : "";
+        result += ExpressionUnparser{}(CallExpression{node.operator_name.text, {}, node.arguments});
+        result += " : " + node.tag.text + with("when", node.condition) + with("weight", node.weight);
+        for (const OutputTag& output : node.outputs) {
+            result += &output == &node.outputs.front() ? " -> " : ", ";
+            if (!output.port.empty()) result += output.port + ": ";
+            result += output.dropped ? "_" : output.tag.empty() ? "<>" : output.tag;
+        }
+        return result;
+    }
+};
+
+inline std::string unparse(const Statement& statement) { return std::visit(StatementUnparser{}, statement.node); }
+
+inline std::string unparse(const Document& document) {
+    std::string result;
+    for (const Statement& statement : document.statements) result += unparse(statement) + "\n";
+    return result;
+}
+
+}  // namespace filigree

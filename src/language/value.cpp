@@ -1,0 +1,89 @@
+#include "language/value.h"
+
+#include "base/number_text.h"
+#include "language/quantity.h"
+
+namespace filigree {
+
+bool SymbolicCall::operator==(const SymbolicCall&) const = default;
+bool ValueList::operator==(const ValueList&) const = default;
+
+namespace {
+
+std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') {
+            out += '\\';
+            out += c;
+        } else if (c == '\n') {
+            out += "\\n";
+        } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
+            constexpr std::string_view digits = "0123456789abcdef";
+            out += "\\u{";
+            out += digits[static_cast<unsigned char>(c) >> 4];
+            out += digits[static_cast<unsigned char>(c) & 15];
+            out += '}';
+        } else {
+            out += c;
+        }
+    }
+    return out + '"';
+}
+
+struct Writer {
+    std::string out;
+
+    void write(const Value& value) {
+        std::visit([this](const auto& data) { write(data); }, value.data);
+    }
+    void write(const Quantity& quantity) {
+        out += to_text(quantity.value);
+        if (quantity.is_angle) out += "deg";
+    }
+    void write(bool value) { out += value ? "true" : "false"; }
+    void write(const std::string& text) { out += quoted(text); }
+    void write(const Colour& colour) { out += to_text(colour); }
+    void write(const Symbol& symbol) { out += symbol.name; }
+    void write(const Vec& point) { out += "(" + to_text(point.x) + ", " + to_text(point.y) + ")"; }
+    void write(const ValueList& list) {
+        out += '[';
+        for (std::size_t i = 0; i < list.items.size(); ++i) {
+            if (i > 0) out += ", ";
+            write(list.items[i]);
+        }
+        out += ']';
+    }
+    void write(const SymbolicCall& call) {
+        out += call.name + "(";
+        for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+            if (i > 0) out += ", ";
+            if (!call.arguments[i].name.empty()) out += call.arguments[i].name + ": ";
+            write(call.arguments[i].value);
+        }
+        out += ')';
+    }
+};
+
+struct KindNamer {
+    std::string_view operator()(const Quantity& quantity) const { return kind_of(quantity); }
+    std::string_view operator()(bool) const { return "true or false"; }
+    std::string_view operator()(const std::string&) const { return "a text"; }
+    std::string_view operator()(const Colour&) const { return "a colour"; }
+    std::string_view operator()(const Symbol&) const { return "a word"; }
+    std::string_view operator()(const Vec&) const { return "a point"; }
+    std::string_view operator()(const ValueList&) const { return "a list"; }
+    std::string_view operator()(const SymbolicCall&) const { return "a call"; }
+};
+
+}  // namespace
+
+std::string to_text(const Value& value) {
+    Writer writer;
+    writer.write(value);
+    return std::move(writer.out);
+}
+
+std::string_view kind_of(const Value& value) { return std::visit(KindNamer{}, value.data); }
+
+}  // namespace filigree

@@ -1,0 +1,109 @@
+#include "language/wrong_documents.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <set>
+
+#include "language/parse.h"
+
+namespace filigree {
+namespace {
+
+// Every code that parsing may give. A case that expects one of these is about parsing.
+constexpr std::array<std::string_view, 41> parse_codes = {
+    "language.bad-colour",
+    "language.bad-escape",        "language.bad-page",          "language.bad-point",
+    "language.bad-seed",          "language.bad-tag",           "language.bad-unit",
+    "language.comment-blank",     "language.include-cycle",     "language.include-depth",
+    "language.lone-equals",       "language.long-chain",        "language.long-name",
+    "language.missing-arguments", "language.missing-arrow",     "language.missing-brace",
+    "language.missing-colon",     "language.missing-equals",    "language.missing-name",
+    "language.missing-operator",  "language.missing-tag",       "language.missing-text",
+    "language.missing-value",     "language.nesting",           "language.no-include",
+    "language.no-such-sign",      "language.not-utf8",          "language.number-too-large",
+    "language.repeated-clause",   "language.repeated-statement", "language.stray-character",
+    "language.too-large",         "language.too-many-errors",   "language.trailing-comma",
+    "language.unclosed-bracket",  "language.unexpected-token",  "language.unknown-statement",
+    "language.unknown-unit",      "language.unknown-version",   "language.unmatched-bracket",
+    "language.unterminated-text",
+};
+// Those that need more than a short document: parse_test.cpp has them.
+const std::set<std::string_view> tested_elsewhere = {
+    "language.include-cycle", "language.include-depth", "language.long-chain", "language.long-name",
+    "language.nesting",       "language.no-include",    "language.too-large",  "language.too-many-errors",
+};
+
+bool is_parse_code(std::string_view code) {
+    return std::find(parse_codes.begin(), parse_codes.end(), code) != parse_codes.end();
+}
+
+std::vector<WrongDocument> all_cases() {
+    return read_wrong_documents(FILIGREE_SOURCE_DIR "/tests/data/wrong_documents.txt");
+}
+
+TEST(WrongDocuments, ParsingSaysWhatIsExpected) {
+    int checked = 0;
+    for (const WrongDocument& wrong : all_cases()) {
+        const bool is_about_parsing =
+            std::any_of(wrong.expected.begin(), wrong.expected.end(),
+                        [](const ExpectedDiagnostic& expected) { return is_parse_code(expected.code); });
+        const Parsed parsed = parse_document("case.fil", wrong.text, nullptr);
+        if (is_about_parsing) {
+            EXPECT_EQ(difference(wrong, parsed.diagnostics, parsed.document.sources), "");
+            ++checked;
+        } else {
+            EXPECT_EQ(to_text(parsed.diagnostics, parsed.document.sources), "") << wrong.name << wrong.malformed;
+        }
+        EXPECT_EQ(parsed.document.text(), wrong.text);
+    }
+    EXPECT_GE(checked, 100);
+}
+
+TEST(WrongDocuments, EveryCaseHasANameOfItsOwnAndExpectsSomething) {
+    std::set<std::string> names;
+    for (const WrongDocument& wrong : all_cases()) {
+        EXPECT_TRUE(names.insert(wrong.name).second) << wrong.name;
+        EXPECT_FALSE(wrong.expected.empty()) << wrong.name;
+    }
+}
+
+TEST(WrongDocuments, EveryCodeOfParsingHasACase) {
+    std::set<std::string> seen;
+    for (const WrongDocument& wrong : all_cases()) {
+        for (const ExpectedDiagnostic& expected : wrong.expected) seen.insert(expected.code);
+    }
+    for (const std::string_view code : parse_codes) {
+        EXPECT_TRUE(tested_elsewhere.count(code) == 1 || seen.count(std::string(code)) == 1) << code;
+    }
+}
+
+TEST(WrongDocuments, TheComparisonCanFail) {
+    WrongDocument wrong{"none", "grammar tangle\nsed 5\n", {{{2, 1}, "language.unknown-statement", "'seed'"}}, ""};
+    const Parsed parsed = parse_document("case.fil", wrong.text, nullptr);
+    const auto differs = [&](const WrongDocument& with) {
+        return !difference(with, parsed.diagnostics, parsed.document.sources).empty();
+    };
+    EXPECT_FALSE(differs(wrong));
+    WrongDocument other = wrong;
+    other.expected[0].place.column = 2;
+    EXPECT_TRUE(differs(other));
+    other = wrong;
+    other.expected[0].code = "language.bad-seed";
+    EXPECT_TRUE(differs(other));
+    other = wrong;
+    other.expected[0].hint = "'start'";
+    EXPECT_TRUE(differs(other));
+    other = wrong;
+    other.expected.push_back(wrong.expected[0]);
+    EXPECT_TRUE(differs(other));
+    other = wrong;
+    other.expected.clear();
+    EXPECT_TRUE(differs(other));
+    other = wrong;
+    other.malformed = "x";
+    EXPECT_TRUE(differs(other));
+}
+
+}  // namespace
+}  // namespace filigree

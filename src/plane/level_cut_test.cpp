@@ -1,0 +1,618 @@
+#include "plane/level_cut.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "plane/level_cut_test_shapes.h"
+#include "plane/verify.h"
+
+namespace filigree {
+namespace {
+
+using namespace level_cut_shapes;
+
+LevelFamily lines(double degrees, std::vector<double> levels, Vec origin = {}) {
+    LevelFamily family;
+    family.frame = {origin, turn({1, 0}, degrees)};
+    family.levels = std::move(levels);
+    return family;
+}
+
+double strip_area(const LevelCut& cut, std::int32_t strip) {
+    double sum = 0;
+    for (std::size_t i = 0; i < cut.pieces.size(); ++i) sum += cut.strips[i] == strip ? area(cut.pieces[i]) : 0;
+    return sum;
+}
+
+Polygons moved(const Polygons& polygons, Point by) {
+    Polygons result = polygons;
+    for (Point& p : result.points) p = {p.x + by.x, p.y + by.y};
+    return result;
+}
+
+// ---- laws that hold for every cut ----
+
+double edge_length(Point a, Point b) { return length(to_px({b.x - a.x, b.y - a.y})); }
+
+double perimeter(PolygonView shape) {
+    double sum = 0;
+    for (std::size_t r = 0; r < shape.ring_count(); ++r) {
+        const RingView ring = shape.ring(r);
+        for (std::size_t i = 0; i < ring.size(); ++i) sum += edge_length(ring[i], ring[(i + 1) % ring.size()]);
+    }
+    return sum;
+}
+
+// The length of the edges without a partner in the other direction: for a conforming partition, the shape's
+// perimeter.
+double unmatched_length(const Polygons& pieces) {
+    struct Edge {
+        Point a, b;
+        int direction = 0;
+    };
+    std::vector<Edge> edges;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        for (std::size_t r = 0; r < pieces[i].ring_count(); ++r) {
+            const RingView ring = pieces[i].ring(r);
+            for (std::size_t k = 0; k < ring.size(); ++k) {
+                const Point a = ring[k], b = ring[(k + 1) % ring.size()];
+                edges.push_back(a < b ? Edge{a, b, 1} : Edge{b, a, -1});
+            }
+        }
+    }
+    std::sort(edges.begin(), edges.end(),
+              [](const Edge& e, const Edge& f) { return e.a != f.a ? e.a < f.a : e.b < f.b; });
+    double sum = 0;
+    for (std::size_t i = 0; i < edges.size();) {
+        int total = 0;
+        std::size_t end = i;
+        for (; end < edges.size() && edges[end].a == edges[i].a && edges[end].b == edges[i].b; ++end)
+            total += edges[end].direction;
+        sum += std::abs(total) * edge_length(edges[i].a, edges[i].b);
+        i = end;
+    }
+    return sum;
+}
+
+double profile_at(const Profile& profile, double u) {
+    if (profile.samples.empty()) return 0;
+    const auto n = static_cast<std::int64_t>(profile.samples.size());
+    const auto k = static_cast<std::int64_t>(std::floor(u / profile.step));
+    const auto sample = [&](std::int64_t i) { return profile.samples[static_cast<std::size_t>(((i % n) + n) % n)]; };
+    const double t = u / profile.step - static_cast<double>(k);
+    return sample(k) + t * (sample(k + 1) - sample(k));
+}
+double greatest_slope(const Profile& profile) {
+    double slope = 0;
+    for (std::size_t i = 0; i < profile.samples.size(); ++i) {
+        const double next = profile.samples[(i + 1) % profile.samples.size()];
+        slope = std::max(slope, std::fabs(next - profile.samples[i]) / profile.step);
+    }
+    return slope;
+}
+
+void expect_partition(const Polygons& shape, const LevelFamily& family, const LevelCut& cut) {
+    const double whole = area(shape);
+    ASSERT_EQ(cut.pieces.size(), cut.strips.size());
+    EXPECT_NEAR(area(cut.pieces), whole, 1e-9 * whole);
+    EXPECT_NEAR(unmatched_length(cut.pieces), perimeter(shape[0]), 1e-9 * perimeter(shape[0]));
+    EXPECT_TRUE(std::is_sorted(cut.strips.begin(), cut.strips.end()));
+    const double slack = 0x1p-19 * (1 + greatest_slope(family.profile));
+    for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
+        const PolygonView piece = cut.pieces[i];
+        EXPECT_EQ(find_flaw(piece).value_or(""), "") << "piece " << i;
+        const std::int64_t k = std::int64_t{cut.strips[i]} - family.first_strip;
+        ASSERT_GE(k, 0);
+        ASSERT_LE(k, static_cast<std::int64_t>(family.levels.size()));
+        const double inf = std::numeric_limits<double>::infinity();
+        const double low = k == 0 ? -inf : family.levels[static_cast<std::size_t>(k) - 1];
+        const double high =
+            k == static_cast<std::int64_t>(family.levels.size()) ? inf : family.levels[static_cast<std::size_t>(k)];
+        for (std::size_t r = 0; r < piece.ring_count(); ++r) {
+            const RingView ring = piece.ring(r);
+            EXPECT_EQ(*std::min_element(ring.begin(), ring.end()), ring[0]);
+            for (const Point p : ring) {
+                const Vec at = to_frame(family.frame, to_px(p));
+                const double phi = at.y - profile_at(family.profile, at.x);
+                ASSERT_GE(phi, low - slack);
+                ASSERT_LE(phi, high + slack);
+            }
+        }
+    }
+    EXPECT_EQ(find_overlap(cut.pieces).value_or(""), "");
+}
+
+// ---- closed forms ----
+
+TEST(LevelCut, NothingFromNothing) {
+    EXPECT_TRUE(cut(PolygonView{}, lines(0, {0})).pieces.empty());
+    EXPECT_EQ(level_range(PolygonView{}, {}, {}).high, 0);
+    Polygons flat;  // fewer than three distinct points
+    flat.points = {{0, 0}, {0, 0}, {5, 5}, {5, 5}};
+    flat.end_ring();
+    flat.end_polygon();
+    EXPECT_TRUE(cut(flat[0], lines(0, {0})).pieces.empty());
+}
+
+TEST(LevelCut, LevelsOutsideTheShapeLeaveItWhole) {
+    const Polygons square =
+        polygon_of({{{0, 0}, {100, 0}, {100, 100}, {0, 100}}, {{10, 10}, {10, 20}, {20, 20}, {20, 10}}});
+    for (const std::vector<double>& levels : {std::vector<double>{}, {-1}, {-3, -2, 0}, {100, 101}, {-5, 105}}) {
+        const LevelCut result = cut(square[0], lines(0, levels));
+        ASSERT_EQ(result.pieces, square);
+        EXPECT_EQ(result.strips[0],
+                  std::count_if(levels.begin(), levels.end(), [](double level) { return level <= 0; }));
+    }
+}
+
+TEST(LevelCut, SquareIntoStrips) {
+    const Polygons square = polygon_of({{{0, 0}, {100, 0}, {100, 100}, {0, 100}}});
+    LevelFamily family = lines(0, {10, 30, 60});
+    family.first_strip = -1;
+    const LevelCut result = cut(square[0], family);
+    ASSERT_EQ(result.strips, (std::vector<std::int32_t>{-1, 0, 1, 2}));
+    const Polygons expected = polygon_of({{{0, 10}, {100, 10}, {100, 30}, {0, 30}}});
+    EXPECT_EQ(area(result.pieces[0]), 1000);
+    EXPECT_EQ(area(result.pieces[1]), 2000);
+    EXPECT_EQ(area(result.pieces[2]), 3000);
+    EXPECT_EQ(area(result.pieces[3]), 4000);
+    EXPECT_TRUE(std::ranges::equal(result.pieces[1].outer(), expected[0].outer()));
+}
+
+TEST(LevelCut, TriangleStripsGrowLinearly) {
+    const Polygons triangle = polygon_of({{{-100, 100}, {0, 0}, {100, 100}}});
+    const LevelCut result = cut(triangle[0], lines(0, {10, 20, 30, 40, 50, 60, 70, 80, 90}));
+    ASSERT_EQ(result.pieces.size(), 10u);
+    for (std::int32_t k = 0; k < 10; ++k) EXPECT_NEAR(strip_area(result, k), 100.0 * (2 * k + 1), 1e-6);
+}
+
+TEST(LevelCut, ZigzagThroughASquare) {
+    const Polygons square = polygon_of({{{0, 0}, {80, 0}, {80, 80}, {0, 80}}});
+    LevelFamily family = lines(0, {40});
+    family.profile = {10, {0, 10}};  // whole periods: half of 80 x 10 above the level line
+    const LevelCut result = cut(square[0], family);
+    ASSERT_EQ(result.pieces.size(), 2u);
+    EXPECT_EQ(area(result.pieces[0]), 80 * 40 + 400);
+    EXPECT_EQ(area(result.pieces[1]), 80 * 40 - 400);
+    EXPECT_EQ(result.pieces[0].point_count(), 4u + 7u);
+    expect_partition(square, family, result);
+}
+
+TEST(LevelCut, ArmsOfACombComeLeftToRight) {
+    std::vector<Vec> comb{{0, 0}, {90, 0}};
+    for (int tooth = 4; tooth >= 0; --tooth) {
+        const double x = 20.0 * tooth;
+        comb.push_back({x + 10, 50});
+        comb.push_back({x, 50});
+        if (tooth > 0) {
+            comb.push_back({x, 10});
+            comb.push_back({x - 10, 10});
+        }
+    }
+    comb[1] = {90, 0};
+    const Polygons shape = polygon_of({comb});
+    const LevelCut result = cut(shape[0], lines(0, {10, 30}));
+    ASSERT_EQ(result.strips, (std::vector<std::int32_t>{0, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2}));
+    for (std::size_t i = 0; i < 5; ++i) {
+        EXPECT_EQ(bounds(result.pieces[1 + i]).min.x, snap({20.0 * static_cast<double>(i), 0}).x);
+        EXPECT_EQ(area(result.pieces[1 + i]), 200);
+    }
+    // The notches' bottoms lie on the level: they are corners of the lowest piece.
+    EXPECT_EQ(result.pieces[0].point_count(), 2u + 2 * 5);
+    expect_partition(shape, lines(0, {10, 30}), result);
+}
+
+TEST(LevelCut, LevelsWithinTheToleranceAreOne) {
+    const Polygons square = polygon_of({{{0, 0}, {100, 0}, {100, 100}, {0, 100}}});
+    const LevelCut result = cut(square[0], lines(0, {-1e-7, 50, 50 + 1e-7, 50 + 2e-7, 100 - 1e-7, 100}));
+    ASSERT_EQ(result.strips, (std::vector<std::int32_t>{1, 4}));
+    EXPECT_EQ(area(result.pieces[0]), 5000);
+    EXPECT_EQ(area(result.pieces[1]), 5000);
+}
+
+TEST(LevelCut, HolesGoToTheFaceAroundThem) {
+    // A ring-shaped strip: two legs joined above and below, with a hole in either leg and one crossed.
+    const Polygons shape = polygon_of({{{0, 0}, {100, 0}, {100, 100}, {0, 100}},
+                                       {{30, 10}, {30, 90}, {70, 90}, {70, 10}},
+                                       {{10, 45}, {10, 55}, {20, 55}, {20, 45}},
+                                       {{80, 45}, {80, 55}, {90, 55}, {90, 45}},
+                                       {{5, 15}, {5, 25}, {10, 25}, {10, 15}}});
+    const LevelFamily family = lines(0, {20, 80});
+    const LevelCut result = cut(shape[0], family);
+    ASSERT_EQ(result.strips, (std::vector<std::int32_t>{0, 1, 1, 2}));
+    for (const std::size_t leg : {1, 2}) {
+        ASSERT_EQ(result.pieces[leg].ring_count(), 2u);
+        EXPECT_EQ(area(result.pieces[leg]), 30 * 60 - 100 - (leg == 1 ? 25 : 0));
+    }
+    expect_partition(shape, family, result);
+}
+
+TEST(LevelCut, ManyHolesInManyStrips) {
+    // 90 x 90 holes, each within a strip or across a level, in a comb whose teeth share strips.
+    std::vector<Outline> outlines{
+        {{0, 0}, {910, 0}, {910, 910}, {460, 910}, {460, 455}, {450, 455}, {450, 910}, {0, 910}}};
+    for (int x = 0; x < 90; ++x) {
+        for (int y = 0; y < 90 && x != 45; ++y) {  // the column of the notch stays empty
+            const Vec p{5 + 10.0 * x, 5 + 10.0 * y};
+            outlines.push_back({p, p + Vec{0, 4}, p + Vec{4, 4}, p + Vec{4, 0}});
+        }
+    }
+    const Polygons shape = polygon_of(outlines);
+    LevelFamily family = lines(3, {});
+    for (int k = 0; k < 100; ++k) family.levels.push_back(9.7 * k - 40);
+    const LevelCut result = cut(shape[0], family);
+    EXPECT_NEAR(area(result.pieces), area(shape), 1e-9 * area(shape));
+    EXPECT_NEAR(unmatched_length(result.pieces), perimeter(shape[0]), 1e-6);
+    std::size_t holes = 0;
+    for (std::size_t i = 0; i < result.pieces.size(); ++i) {
+        holes += result.pieces[i].ring_count() - 1;
+        EXPECT_EQ(find_flaw(result.pieces[i]).value_or(""), "");
+    }
+    EXPECT_GT(holes, 3000u);
+}
+
+TEST(LevelCut, FarFromTheOrigin) {
+    const Vec far{1e9, -1e9};
+    const Polygons square = polygon_of({{far, far + Vec{100, 0}, far + Vec{100, 100}, far + Vec{0, 100}}});
+    const LevelCut result = cut(square[0], lines(30, {-20, 0, 20}, far + Vec{50, 50}));
+    ASSERT_EQ(result.pieces.size(), 4u);
+    EXPECT_NEAR(area(result.pieces), 1e4, 1e-5);
+    EXPECT_NEAR(strip_area(result, 1), strip_area(result, 2), 1e-5);
+    EXPECT_EQ(find_overlap(result.pieces).value_or(""), "");
+    // A frame far away from the shape is less exact, but never wrong.
+    const LevelCut distant = cut(square[0], lines(30, {-1366025403.784438, -1366025390.0}));
+    EXPECT_NEAR(area(distant.pieces), 1e4, 1e-5);
+}
+
+TEST(LevelCut, WhatIsNoFamilyCutsNothing) {
+    const Polygons square = polygon_of({{{0, 0}, {100, 0}, {100, 100}, {0, 100}}});
+    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    std::vector<LevelFamily> families(12, lines(0, {50}));
+    families[0].levels = {10, nan, 20};
+    families[1].levels = {10, 10};
+    families[2].levels = {30, 20, 10};
+    families[3].frame.direction = {0, 0};
+    families[4].frame.direction = {nan, 1};
+    families[5].frame.origin = {inf, 0};
+    families[6].profile = {0, {1, 2}};
+    families[7].profile = {nan, {1, 2}};
+    families[8].profile = {1, {1, inf}};
+    families[9].profile = {-1, {1, 2}};
+    families[10].profile = {1, {nan}};
+    families[11].frame.direction = {1e300, 1e300};
+    for (std::size_t i = 0; i < families.size(); ++i) {
+        const LevelCut result = cut(square[0], families[i]);
+        EXPECT_EQ(result.pieces, square) << i;
+        const LevelRange range = level_range(square[0], families[i].frame, families[i].profile);
+        EXPECT_TRUE(std::isfinite(range.low) && std::isfinite(range.high)) << i;
+    }
+}
+
+// Rings of random points break every convention; the cut must end all the same, with pieces in order.
+TEST(LevelCut, EndsOnGarbage) {
+    for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
+        Draws draws{seed + 9000000};
+        const double side = draws.coin() ? 1 : 30;
+        std::vector<Outline> outlines(static_cast<std::size_t>(draws.whole(1, 4)));
+        for (Outline& outline : outlines) {
+            for (int i = draws.whole(0, 40); i > 0; --i) {
+                outline.push_back({side * draws.whole(-3, 3), side * draws.whole(-3, 3)});
+            }
+        }
+        const Polygons shape = polygon_of(outlines);
+        if (shape.points.empty()) continue;
+        LevelFamily family = lines(45 * draws.whole(0, 7), {-60, -30, -3, -2, -1, 0, 1, 2, 3, 30, 60});
+        family.profile = random_profile(draws);
+        const LevelCut result = cut(shape[0], family);
+        EXPECT_TRUE(std::is_sorted(result.strips.begin(), result.strips.end()));
+        for (std::size_t i = 0; i < result.pieces.size(); ++i) EXPECT_GE(result.pieces[i].outer().size(), 3u);
+        if (testing::Test::HasFailure()) FAIL() << "seed " << seed;
+    }
+}
+
+TEST(LevelCut, HugeFamiliesCostNothingOutsideTheShape) {
+    const Polygons square = polygon_of({{{0, 0}, {10, 0}, {10, 10}, {0, 10}}});
+    LevelFamily family = lines(0, {});
+    for (int k = -500000; k <= 500000; ++k) family.levels.push_back(2 * k + 1);
+    family.first_strip = -500001;
+    std::size_t pieces = 0;
+    for (int i = 0; i < 20000; ++i) pieces += cut(square[0], family).pieces.size();
+    EXPECT_EQ(pieces, 20000u * 6);
+    EXPECT_EQ(cut(square[0], family).strips.front(), -1);
+}
+
+TEST(LevelCut, RangeOfStraightAndBentCurves) {
+    const Polygons square = polygon_of({{{0, 0}, {100, 0}, {100, 100}, {0, 100}}});
+    const LevelRange across = level_range(square[0], {{50, 50}, turn({1, 0}, 45)}, {});
+    EXPECT_NEAR(across.high, 50 * std::sqrt(2), 1e-12);
+    EXPECT_NEAR(across.low, -50 * std::sqrt(2), 1e-12);
+    // The profile's peaks lie inside the square's edges, not at its corners.
+    const LevelRange waves = level_range(square[0], {}, {30, {0, 7, 0, -4}});
+    EXPECT_DOUBLE_EQ(waves.high, 104);
+    EXPECT_DOUBLE_EQ(waves.low, -7);
+}
+
+// ---- degenerate inputs ----
+
+class DegenerateCut : public testing::TestWithParam<double> {};  // degrees by which shape and lines are turned
+
+LevelFamily forty_strips(double degrees) {
+    LevelFamily family = lines(degrees, {});
+    for (int k = -20; k <= 20; ++k) family.levels.push_back(10.0 * k);
+    return family;
+}
+
+void expect_degenerate(const std::vector<Outline>& outlines, double degrees, double whole) {
+    const Polygons shape = polygon_of(outlines, degrees);
+    const LevelFamily family = forty_strips(degrees);
+    const LevelCut result = cut(shape[0], family);
+    EXPECT_NEAR(area(result.pieces), whole, 1e-9 * whole + 1e-6);
+    EXPECT_NEAR(area(result.pieces), area(shape), 1e-9 * whole);
+    for (std::size_t i = 0; i < result.pieces.size(); ++i) EXPECT_GT(area(result.pieces[i]), 1e-6) << i;
+    EXPECT_EQ(find_overlap(result.pieces).value_or(""), "");
+    for (std::size_t i = 0; i < result.pieces.size(); ++i) EXPECT_EQ(find_flaw(result.pieces[i]).value_or(""), "") << i;
+}
+
+TEST_P(DegenerateCut, SquareWithEdgesOnLines) {
+    expect_degenerate({{{0, 0}, {100, 0}, {100, 100}, {0, 100}}}, GetParam(), 1e4);
+    expect_partition(
+        polygon_of({{{0, 0}, {100, 0}, {100, 100}, {0, 100}}}, GetParam()), forty_strips(GetParam()),
+        cut(polygon_of({{{0, 0}, {100, 0}, {100, 100}, {0, 100}}}, GetParam())[0], forty_strips(GetParam())));
+}
+
+TEST_P(DegenerateCut, CombWithEdgesOnLines) {
+    const Outline comb{{0, 0},   {100, 0}, {100, 50}, {80, 50}, {80, 20}, {60, 20},
+                       {60, 50}, {40, 50}, {40, 20},  {20, 20}, {20, 50}, {0, 50}};
+    expect_degenerate({comb}, GetParam(), 5000 - 2 * 600);
+    expect_partition(polygon_of({comb}, GetParam()), forty_strips(GetParam()),
+                     cut(polygon_of({comb}, GetParam())[0], forty_strips(GetParam())));
+}
+
+TEST_P(DegenerateCut, DuplicateVertices) {
+    expect_degenerate(
+        {{{0, 0}, {0, 0}, {100, 0}, {100, 0}, {100, 0}, {100, 100}, {0, 100}, {0, 100}, {0, 50}, {0, 50}, {0, 0}}},
+        GetParam(), 1e4);
+}
+
+TEST_P(DegenerateCut, JitterBelowTheTolerance) {
+    Draws draws{5};
+    Outline outline;
+    const Vec corners[] = {{0, 0}, {100, 0}, {100, 100}, {0, 100}};
+    for (std::size_t side = 0; side < 4; ++side) {
+        for (int i = 0; i < 10; ++i) {
+            const Vec p = corners[side] + (corners[(side + 1) % 4] - corners[side]) * (i / 10.0);
+            outline.push_back(p + Vec{draws.between(-1e-7, 1e-7), draws.between(-1e-7, 1e-7)});
+        }
+    }
+    const Polygons shape = polygon_of({outline}, GetParam());
+    const LevelCut result = cut(shape[0], forty_strips(GetParam()));
+    EXPECT_EQ(result.pieces.size(), 10u);  // no slivers along the sides
+    expect_partition(shape, forty_strips(GetParam()), result);
+}
+
+TEST_P(DegenerateCut, SpikeOfNoWidth) {
+    const Polygons shape =
+        polygon_of({{{0, 0}, {100, 0}, {100, 100}, {50, 100}, {50, 150}, {50, 100}, {0, 100}}}, GetParam());
+    const LevelCut result = cut(shape[0], forty_strips(GetParam()));
+    EXPECT_NEAR(area(result.pieces), 1e4, 1e-5);
+    EXPECT_NEAR(area(result.pieces), area(shape), 1e-5);
+    EXPECT_EQ(result.pieces.size(), 10u);
+}
+
+TEST_P(DegenerateCut, HoleTouchesTheOuterRing) {
+    expect_degenerate({{{0, 0}, {100, 0}, {100, 100}, {0, 100}}, {{0, 50}, {10, 65}, {20, 50}, {10, 35}}}, GetParam(),
+                      1e4 - 300);
+    expect_degenerate({{{0, 0}, {50, 0}, {100, 0}, {100, 100}, {0, 100}}, {{50, 0}, {35, 10}, {50, 20}, {65, 10}}},
+                      GetParam(), 1e4 - 300);
+    expect_degenerate({{{0, 0}, {100, 0}, {100, 100}, {0, 100}}, {{0, 0}, {10, 20}, {20, 10}}}, GetParam(), 1e4 - 150);
+}
+
+TEST_P(DegenerateCut, TouchesPinchNoPiece) {
+    // A hole that hangs from a level by one corner, and one that stands on it, at the same point.
+    const std::vector<Outline> outlines{{{0, 0}, {100, 0}, {100, 100}, {0, 100}},
+                                        {{50, 50}, {55, 44}, {45, 44}},
+                                        {{50, 50}, {45, 56}, {55, 56}},
+                                        {{20, 50}, {25, 44}, {15, 44}}};
+    const Polygons shape = polygon_of(outlines, GetParam());
+    const LevelCut result = cut(shape[0], forty_strips(GetParam()));
+    ASSERT_EQ(result.pieces.size(), 10u);
+    EXPECT_EQ(result.pieces[4].ring_count(), 3u);
+    EXPECT_EQ(result.pieces[5].ring_count(), 2u);
+    for (std::size_t i = 0; i < 10; ++i) {
+        for (std::size_t r = 0; r < result.pieces[i].ring_count(); ++r) {
+            std::vector<Point> ring(result.pieces[i].ring(r).begin(), result.pieces[i].ring(r).end());
+            std::sort(ring.begin(), ring.end());
+            EXPECT_EQ(std::adjacent_find(ring.begin(), ring.end()), ring.end());
+        }
+    }
+    expect_partition(shape, forty_strips(GetParam()), result);
+}
+
+INSTANTIATE_TEST_SUITE_P(Turned, DegenerateCut, testing::Values(0, 45, 5.729577951308232));
+
+// ---- properties ----
+
+TEST(LevelCutProperties, WobblyShapes) {
+    for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
+        Draws draws{seed};
+        const Polygons shape = polygon_of(wobbly_shape(draws));
+        const LevelFamily family = random_family(draws, shape[0]);
+        expect_partition(shape, family, cut(shape[0], family));
+        if (testing::Test::HasFailure()) FAIL() << "seed " << seed;
+    }
+}
+
+// Lattice shapes turned by nothing, 45 degrees or 0.1 rad, cut by lines and zigzags on the lattice: vertices
+// and edges on levels everywhere, rings that touch.
+TEST(LevelCutProperties, AlignedShapes) {
+    for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
+        Draws draws{seed + 1000000};
+        const double turns[] = {0, 45, 5.729577951308232, 90};
+        const double degrees = turns[draws.whole(0, 3)];
+        const Polygons shape = polygon_of(cell_shape(draws, draws.whole(1, 9), 8, draws.whole(0, 3) == 0), degrees);
+        LevelFamily family = lines(degrees + 45 * draws.whole(0, 7), {});
+        switch (draws.whole(0, 3)) {
+            case 0:
+                break;
+            case 1:
+                family.profile = {8, {0, 8}};
+                break;
+            case 2:
+                family.profile = {4, {0, 2, 4, 2}};
+                break;
+            case 3:
+                family.profile = {8, {0, 0, 8, 8}};
+                break;
+        }
+        const double spacing = draws.coin() ? 8 : 4 * std::sqrt(2);
+        for (int k = -20; k <= 20; ++k) family.levels.push_back(k * spacing);
+        expect_partition(shape, family, cut(shape[0], family));
+        if (testing::Test::HasFailure()) FAIL() << "seed " << seed;
+    }
+}
+
+TEST(LevelCutProperties, RingStartsAndOrderDoNotMatter) {
+    for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
+        Draws draws{seed + 2000000};
+        const bool aligned = draws.coin();
+        const Polygons shape = polygon_of(aligned ? cell_shape(draws, 6, 8, false) : wobbly_shape(draws));
+        LevelFamily family = random_family(draws, shape[0]);
+        if (aligned) family = forty_strips(90 * draws.whole(0, 3));
+        std::vector<std::size_t> order(shape[0].ring_count());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        for (std::size_t i = order.size(); i > 1; --i) {
+            std::swap(order[i - 1], order[static_cast<std::size_t>(draws.whole(0, static_cast<int>(i) - 1))]);
+        }
+        Polygons shuffled;
+        for (const std::size_t r : order) {
+            std::vector<Point> ring(shape[0].ring(r).begin(), shape[0].ring(r).end());
+            std::rotate(ring.begin(), ring.begin() + draws.whole(0, static_cast<int>(ring.size()) - 1), ring.end());
+            shuffled.add_ring(ring);
+        }
+        shuffled.end_polygon();
+        const LevelCut a = cut(shape[0], family), b = cut(shuffled[0], family);
+        ASSERT_EQ(a.pieces, b.pieces) << "seed " << seed;
+        ASSERT_EQ(a.strips, b.strips) << "seed " << seed;
+    }
+}
+
+TEST(LevelCutProperties, WholeShiftsShiftThePieces) {
+    for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
+        Draws draws{seed + 3000000};
+        const Polygons shape = polygon_of(wobbly_shape(draws));
+        LevelFamily family = random_family(draws, shape[0]);
+        family.frame.origin =
+            to_px(snap({std::floor(family.frame.origin.x * 64) / 64, std::floor(family.frame.origin.y * 64) / 64}));
+        const Vec by{static_cast<double>(draws.whole(-100000, 100000)),
+                     static_cast<double>(draws.whole(-100000, 100000))};
+        const LevelCut here = cut(shape[0], family);
+        family.frame.origin = family.frame.origin + by;
+        const LevelCut there = cut(moved(shape, snap(by))[0], family);
+        ASSERT_EQ(there.pieces, moved(here.pieces, snap(by))) << "seed " << seed;
+        ASSERT_EQ(there.strips, here.strips) << "seed " << seed;
+    }
+}
+
+// Two cuts one after the other, the second across the first: the pieces of different first pieces still
+// share all vertices.
+TEST(LevelCutProperties, DualSplitsConform) {
+    for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
+        Draws draws{seed + 4000000};
+        const bool aligned = draws.whole(0, 2) == 0;
+        const Polygons shape = polygon_of(aligned ? cell_shape(draws, 6, 8, draws.coin()) : wobbly_shape(draws));
+        LevelFamily family = random_family(draws, shape[0]);
+        if (aligned) {
+            family = forty_strips(45 * draws.whole(0, 7));
+            if (draws.coin()) family.profile = {10, {0, 10}};
+        }
+        LevelFamily second = family;
+        second.frame = turned(family.frame);
+        if (!aligned) {
+            second.levels.clear();
+            add_levels(draws, second, level_range(shape[0], second.frame, second.profile));
+        }
+        const LevelCut first = cut(shape[0], family);
+        Polygons pieces;
+        for (std::size_t i = 0; i < first.pieces.size(); ++i) pieces.add_all(cut(first.pieces[i], second).pieces);
+        EXPECT_NEAR(area(pieces), area(shape), 1e-9 * area(shape));
+        EXPECT_NEAR(unmatched_length(pieces), perimeter(shape[0]), 1e-9 * perimeter(shape[0]));
+        for (std::size_t i = 0; i < pieces.size(); ++i)
+            EXPECT_EQ(find_flaw(pieces[i]).value_or(""), "") << "piece " << i;
+        EXPECT_EQ(find_overlap(pieces).value_or(""), "");
+        if (testing::Test::HasFailure()) FAIL() << "seed " << seed;
+    }
+}
+
+// Any family cuts the pieces of any other: neighbours that share a border get the same points on it.
+TEST(LevelCutProperties, NeighboursConform) {
+    for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
+        Draws draws{seed + 5000000};
+        const Polygons shape = polygon_of(wobbly_shape(draws));
+        const LevelCut first = cut(shape[0], random_family(draws, shape[0]));
+        const LevelFamily second = random_family(draws, shape[0]);
+        Polygons pieces;
+        for (std::size_t i = 0; i < first.pieces.size(); ++i) pieces.add_all(cut(first.pieces[i], second).pieces);
+        EXPECT_NEAR(area(pieces), area(shape), 1e-9 * area(shape));
+        EXPECT_NEAR(unmatched_length(pieces), perimeter(shape[0]), 1e-9 * perimeter(shape[0]));
+        if (testing::Test::HasFailure()) FAIL() << "seed " << seed;
+    }
+}
+
+TEST(LevelCutProperties, TheSameFamilyAgainChangesNothing) {
+    for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
+        Draws draws{seed + 6000000};
+        const Polygons shape = polygon_of(wobbly_shape(draws));
+        const LevelFamily family = random_family(draws, shape[0]);
+        const LevelCut once = cut(shape[0], family);
+        for (std::size_t i = 0; i < once.pieces.size(); ++i) {
+            const LevelCut again = cut(once.pieces[i], family);
+            EXPECT_EQ(again.pieces.size(), 1u) << "piece " << i;
+            EXPECT_NEAR(area(again.pieces), area(once.pieces[i]), 1e-9 * area(shape));
+        }
+        if (testing::Test::HasFailure()) FAIL() << "seed " << seed;
+    }
+}
+
+// Levels closer than the tolerance, and steep curves: areas still add up.
+TEST(LevelCutProperties, DenseLevelsAndSteepCurves) {
+    for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
+        Draws draws{seed + 10000000};
+        const Polygons shape = polygon_of(wobbly_shape(draws));
+        LevelFamily family = random_family(draws, shape[0]);
+        family.profile = {draws.between(0.3, 3), {}};
+        for (int i = draws.whole(1, 20); i > 0; --i) family.profile.samples.push_back(draws.between(-60, 60));
+        std::vector<double> levels;
+        for (const double level : family.levels) {
+            levels.push_back(level);
+            for (int i = draws.whole(0, 2); i > 0; --i) levels.push_back(levels.back() + draws.between(1e-9, 1e-5));
+        }
+        family.levels = levels;
+        std::sort(family.levels.begin(), family.levels.end());
+        const LevelCut result = cut(shape[0], family);
+        EXPECT_NEAR(area(result.pieces), area(shape), 1e-8 * area(shape)) << "seed " << seed;
+        for (std::size_t i = 0; i < result.pieces.size(); ++i) ASSERT_GT(doubled_area(result.pieces[i].outer()), 0);
+        if (testing::Test::HasFailure()) FAIL() << "seed " << seed;
+    }
+}
+
+TEST(LevelCutProperties, RangeIsWhereLevelsCut) {
+    for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
+        Draws draws{seed + 7000000};
+        const Polygons shape = polygon_of(wobbly_shape(draws));
+        LevelFamily family = random_family(draws, shape[0]);
+        const LevelRange range = level_range(shape[0], family.frame, family.profile);
+        family.levels = {range.low - 1e-5, range.high + 1e-5};
+        EXPECT_EQ(cut(shape[0], family).pieces.size(), 1u) << "seed " << seed;
+        family.levels = {range.low + 1e-3, range.high - 1e-3};
+        const LevelCut ends = cut(shape[0], family);
+        ASSERT_GE(ends.pieces.size(), 3u) << "seed " << seed;
+        EXPECT_EQ(ends.strips.back() - ends.strips.front(), 2) << "seed " << seed;
+    }
+}
+
+}  // namespace
+}  // namespace filigree

@@ -1,0 +1,87 @@
+#include "plane/point_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "base/random.h"
+
+namespace filigree {
+namespace {
+
+std::uint64_t case_count() {
+    const char* text = std::getenv("FILIGREE_CASES");
+    return text == nullptr ? 1000 : std::strtoull(text, nullptr, 10);
+}
+
+struct Dice {
+    std::uint64_t state = 0;
+    std::int64_t whole(std::int64_t low, std::int64_t high) {  // in [low, high]
+        state = mix(state);
+        return low + static_cast<std::int64_t>(to_whole(state, static_cast<std::uint32_t>(high - low + 1)));
+    }
+};
+
+std::vector<Point> find_near(const PointTree& tree, Point a, Point b, double distance) {
+    std::vector<Point> found;
+    tree.find_near(a, b, distance, found);
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+double distance_to_segment(Point p, Point a, Point b) {
+    const Vec d{static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y)};
+    const Vec to{static_cast<double>(p.x - a.x), static_cast<double>(p.y - a.y)};
+    const double t = dot(d, d) > 0 ? std::clamp(dot(to, d) / dot(d, d), 0.0, 1.0) : 0;
+    return length(to - t * d);
+}
+
+TEST(PointTree, HoldsEachPointOnce) {
+    EXPECT_TRUE(find_near(PointTree({}), {0, 0}, {5, 5}, 10).empty());
+    const PointTree same(std::vector<Point>(1000, Point{3, 3}));
+    EXPECT_EQ(find_near(same, {3, 3}, {3, 3}, 0), (std::vector<Point>{{3, 3}}));
+    EXPECT_TRUE(find_near(same, {30, 3}, {30, 30}, 1).empty());
+}
+
+TEST(PointTree, TakesTheWholePlane) {
+    const std::int64_t m = grid_limit;
+    const PointTree tree({{-m, -m}, {m, m}, {0, 0}, {-m, m}});
+    EXPECT_EQ(find_near(tree, {-m, -m}, {m, m}, 1), (std::vector<Point>{{-m, -m}, {0, 0}, {m, m}}));
+    EXPECT_EQ(find_near(tree, {0, 0}, {1, 0}, INFINITY).size(), 4u);
+}
+
+TEST(PointTree, FindsAllThatAreNear) {
+    for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
+        Dice dice{mix(seed)};
+        const std::int64_t range = std::int64_t{1} << dice.whole(3, 30);
+        const auto place = [&] { return Point{dice.whole(-range, range), dice.whole(-range, range)}; };
+        std::vector<Point> points(static_cast<std::size_t>(dice.whole(0, 300)));
+        for (Point& p : points) {
+            p = place();
+            if (dice.whole(0, 1) == 0) p = {p.x / 1000, p.y / 1000};  // a cluster
+        }
+        const PointTree tree(points);
+        std::sort(points.begin(), points.end());
+        points.erase(std::unique(points.begin(), points.end()), points.end());
+        for (int query = 0; query < 5; ++query) {
+            const Point a = place(), b = place();
+            const double distance = static_cast<double>(dice.whole(0, range)) / static_cast<double>(dice.whole(1, 100));
+            const std::vector<Point> found = find_near(tree, a, b, distance);
+            ASSERT_TRUE(std::adjacent_find(found.begin(), found.end()) == found.end()) << "seed " << seed;
+            for (const Point p : points) {
+                const double off = distance_to_segment(p, a, b);
+                const bool is_found = std::binary_search(found.begin(), found.end(), p);
+                if (off < distance * 0.999 - 1e-3) {
+                    ASSERT_TRUE(is_found) << "seed " << seed;
+                }
+                if (off > 3 * (distance + 3)) {
+                    ASSERT_FALSE(is_found) << "seed " << seed;
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace filigree

@@ -1,0 +1,16 @@
+#include "session/engines.h"
+
+#include "engines/tangle/operators/operators.h"
+
+namespace filigree {
+
+std::span<const EngineInfo> engines() {
+    static const std::vector<EngineInfo> all = [] {
+        EngineInfo tangle{"tangle", "group grammars that split, outline and fill regions of the plane", {}};
+        for (const tangle::Operator& op : tangle::operators()) tangle.operators.push_back(&op.description);
+        return std::vector<EngineInfo>{tangle};
+    }();
+    return all;
+}
+
+}  // namespace filigree

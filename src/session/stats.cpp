@@ -1,0 +1,202 @@
+#include "session/stats.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/number_text.h"
+#include "engines/tangle/derive.h"
+#include "engines/tangle/verify.h"
+
+namespace filigree {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Documents may name files in bytes that are no UTF-8; they are shown with replacement characters.
+std::string dumped(const Json& json) {
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::uint32_t line_of(const Document& document, SourceSpan span) {
+    if (span.file >= document.sources.size()) return 0;
+    return line_column(document.sources[span.file].text, span.begin).line;
+}
+
+
+Json arguments_json(const Arguments& arguments) {
+    Json json = Json::object();
+    for (std::size_t i = 0; i < arguments.values.size(); ++i) {
+        const ArgumentValue& argument = arguments.values[i];
+        const std::string name(arguments.description->parameters[i].name);
+        if (argument.per_shape.empty()) {
+            json[name] = to_text(argument.common);
+        } else {
+            for (const Value& value : argument.per_shape) json[name].push_back(to_text(value));
+        }
+    }
+    return json;
+}
+
+Json diagnostic_json(const Diagnostic& diagnostic, const Document& document) {
+    Json json;
+    json["severity"] = diagnostic.severity == Severity::error ? "error" : "warning";
+    json["code"] = diagnostic.code;
+    json["message"] = diagnostic.message;
+    if (diagnostic.span.file < document.sources.size()) {
+        const SourceFile& source = document.sources[diagnostic.span.file];
+        const LineColumn place = line_column(source.text, diagnostic.span.begin);
+        json["file"] = source.name;
+        json["line"] = place.line;
+        json["column"] = place.column;
+    }
+    json["hints"] = diagnostic.hints;
+    return json;
+}
+
+}  // namespace
+
+std::uint64_t peak_memory_bytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+std::string stats_json(const OpenedDocument& opened, const CheckedDocument& checked, const Run& run) {
+    std::uint64_t elements = 0, marks = 0, groups = 0;
+    std::uint32_t depth = 0;
+    for (const tangle::Group& group : run.tangle.groups) {
+        depth = std::max(depth, group.depth);
+        if (group.consumer != tangle::none) continue;
+        ++groups;
+        elements += group.shapes.size();
+        marks += static_cast<std::uint64_t>(std::count_if(group.shapes.begin(), group.shapes.end(),
+                                                          [](const tangle::Shape& shape) { return shape.is_mark; }));
+    }
+    const tangle::Areas areas = tangle::areas(run.tangle);
+    Json json;
+    json["document"] = opened.name;
+    json["engine"] = checked.settings->engine;
+    json["seed"] = checked.settings->seed;
+    json["steps"] = run.tangle.steps.size();
+    json["elements"] = elements;
+    json["groups"] = groups;
+    json["depth"] = depth;
+    json["rules"] = checked.rules.size();
+    json["seconds"] = {{"parse", run.times.parse},
+                       {"derive", run.times.derive},
+                       {"draw", run.times.draw},
+                       {"write", run.times.write},
+                       {"total", run.times.total}};
+    json["peak_memory_bytes"] = peak_memory_bytes();
+    json["area"] = {{"start", areas.start}, {"leaves", areas.leaves}};
+    if (run.verified) {
+        json["verified"] = run.broken.empty();
+    } else {
+        json["verified"] = nullptr;
+    }
+    json["unmatched"] = Json::array();
+    std::uint64_t vertices = 0;
+    for (const auto& geometry : run.tangle.geometry) vertices += geometry->points.size();
+    json["tangle"] = {{"marks", marks}, {"vertices", vertices}};
+    return dumped(json);
+}
+
+std::string steps_text(const CheckedDocument& checked, const Document& document, const tangle::Tangle& tangle) {
+    std::string text;
+    for (std::uint32_t s = 0; s < tangle.steps.size(); ++s) {
+        const tangle::Step& step = tangle.steps[s];
+        const tangle::Rule& rule = checked.grammar->rules[step.rule];
+        text += std::to_string(s + 1) + "  " + tangle::path_of_step(tangle, *checked.grammar, s) + "  (line " +
+                std::to_string(line_of(document, rule.span)) + ")  " +
+                std::to_string(tangle.groups[step.group].shapes.size()) + " ->";
+        for (std::uint32_t g = step.first_output; g < step.end_output; ++g) {
+            const tangle::Group& group = tangle.groups[g];
+            const std::string& tag = checked.grammar->tags[group.tag];
+            text += " " + std::to_string(group.shapes.size()) + " " + (group.hidden ? "_" : tag.empty() ? "<>" : tag);
+            if (g + 1 < step.end_output) text += ",";
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+std::string steps_json(const CheckedDocument& checked, const Document& document, const tangle::Tangle& tangle) {
+    Json json;
+    json["engine"] = checked.settings->engine;
+    json["seed"] = checked.settings->seed;
+    const auto group_json = [&](std::uint32_t number) {
+        const tangle::Group& group = tangle.groups[number];
+        Json one;
+        one["number"] = number + 1;
+        one["tag"] = checked.grammar->tags[group.tag];
+        one["path"] = tangle::path_of_group(tangle, *checked.grammar, number);
+        one["key"] = to_hex(group.key.value);
+        one["shapes"] = group.shapes.size();
+        one["depth"] = group.depth;
+        one["leaf"] = group.consumer == tangle::none;
+        return one;
+    };
+    json["starts"] = Json::array();
+    for (std::uint32_t g = 0; g < tangle.start_groups; ++g) json["starts"].push_back(group_json(g));
+    json["steps"] = Json::array();
+    for (std::uint32_t s = 0; s < tangle.steps.size(); ++s) {
+        const tangle::Step& step = tangle.steps[s];
+        const tangle::Rule& rule = checked.grammar->rules[step.rule];
+        Json one;
+        one["number"] = s + 1;
+        one["path"] = tangle::path_of_step(tangle, *checked.grammar, s);
+        one["key"] = to_hex(step.key.value);
+        one["line"] = line_of(document, rule.span);
+        one["operator"] = rule.op->description.name;
+        one["arguments"] = arguments_json(step.arguments);
+        one["group"] = step.group + 1;
+        one["outputs"] = Json::array();
+        for (std::uint32_t g = step.first_output; g < step.end_output; ++g) one["outputs"].push_back(group_json(g));
+        json["steps"].push_back(std::move(one));
+    }
+    return dumped(json);
+}
+
+std::string check_text(const CheckedDocument& checked, const Document& document) {
+    std::string text = "rules " + std::to_string(checked.rules.size()) + ", edges " +
+                       std::to_string(checked.graph.edges) + ", longest path " +
+                       std::to_string(checked.graph.longest_path) + "\n";
+    for (std::size_t r = 0; r < checked.rules.size(); ++r) {
+        const GroupRule& rule = *checked.rules[r];
+        text += "  " + std::to_string(r + 1) + "  line " +
+                std::to_string(line_of(document, rule.operator_name.span)) + "  " + rule.operator_name.text + " : " +
+                rule.tag.text;
+        const auto& next = checked.graph.successors[r];
+        for (std::size_t i = 0; i < next.size(); ++i) text += (i == 0 ? "  -> " : ", ") + std::to_string(next[i] + 1);
+        text += "\n";
+    }
+    return text;
+}
+
+std::string check_json(const CheckedDocument& checked, const Document& document) {
+    Json json;
+    json["ok"] = !has_errors(checked.diagnostics);
+    json["nodes"] = checked.rules.size();
+    json["edges"] = checked.graph.edges;
+    json["longest_path"] = checked.graph.longest_path;
+    json["rules"] = Json::array();
+    for (std::size_t r = 0; r < checked.rules.size(); ++r) {
+        const GroupRule& rule = *checked.rules[r];
+        Json one;
+        one["line"] = line_of(document, rule.operator_name.span);
+        one["operator"] = rule.operator_name.text;
+        one["tag"] = rule.tag.text;
+        one["next"] = Json::array();
+        for (const std::uint32_t next : checked.graph.successors[r]) one["next"].push_back(next + 1);
+        json["rules"].push_back(std::move(one));
+    }
+    json["diagnostics"] = Json::array();
+    for (const Diagnostic& diagnostic : checked.diagnostics) {
+        json["diagnostics"].push_back(diagnostic_json(diagnostic, document));
+    }
+    return dumped(json);
+}
+
+}  // namespace filigree
