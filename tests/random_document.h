@@ -2,6 +2,7 @@
 // a few tags whose rules only lead onwards, so that every derivation ends.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -9,14 +10,11 @@
 #include "base/elementary.h"
 #include "base/number_text.h"
 #include "base/random.h"
+#include "base/test_cases.h"
 
 namespace filigree {
 
-// How many cases a property test runs: FILIGREE_CASES, else `normal`.
-inline std::uint64_t case_count(std::uint64_t normal) {
-    const char* wanted = std::getenv("FILIGREE_CASES");
-    return wanted == nullptr ? normal : std::strtoull(wanted, nullptr, 10);
-}
+// Where the seeds begin: FILIGREE_FIRST_SEED, so that long runs try others.
 inline std::uint64_t first_seed() {
     const char* wanted = std::getenv("FILIGREE_FIRST_SEED");
     return wanted == nullptr ? 1 : std::strtoull(wanted, nullptr, 10);
@@ -87,14 +85,19 @@ private:
 
     std::string rule(int level, int levels) {
         const auto next = [&] {
-            return "t" + std::to_string(level + 1 + static_cast<int>(whole(static_cast<std::uint32_t>(levels - level + 1))));
+            const int skipped = whole(4) != 0 ? 0 : static_cast<int>(whole(static_cast<std::uint32_t>(levels - level + 1)));
+            return "t" + std::to_string(level + 1 + skipped);
         };
         const std::string here = " : t" + std::to_string(level);
         std::string suffix;
         if (whole(5) == 0) suffix += " when count < " + std::to_string(1 + whole(40));
         if (whole(5) == 0) suffix += " weight " + number(0.5, 4);
         const double scale = level == 0 ? 1 : level == 1 ? 0.5 : 0.3;
-        const auto size = [&](double low, double high) { return number(low * scale, high * scale) + "px"; };
+        const auto size = [&](double low, double high) {
+            std::string text;  // whole numbers now and then, but never 0
+            append_fixed(text, std::max(0.25, real(low * scale, high * scale)), whole(4) == 0 && low * scale > 1 ? 0 : 3);
+            return text + "px";
+        };
         static constexpr const char* angles[] = {"", ", angle: keep", ", angle: across", ", angle: axis", ", angle: 0",
                                                  ", angle: 45", ", angle: turn(30)", ", angle: towards((0, 0))"};
         const std::string angle = angles[whole(8)];

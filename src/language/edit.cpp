@@ -8,6 +8,7 @@
 #include "base/unicode.h"
 #include "language/evaluate.h"
 #include "language/lexer.h"
+#include "language/param_domain.h"
 #include "language/parse.h"
 #include "language/token_text.h"
 
@@ -71,72 +72,59 @@ Diagnostic unknown_parameter(const Document& document, std::string_view name) {
     return error("edit.unknown-parameter", "there is no parameter " + in_quotes(name), {}, did_you_mean(name, names));
 }
 
-// A number that does not depend on parameters or choices.
-std::optional<Quantity> constant_quantity(const Expression& expression, const Document& document) {
+bool is_defined(const Document& document, std::string_view name) {
+    return std::any_of(document.statements.begin(), document.statements.end(), [&](const Statement& statement) {
+        const ParamStatement* param = std::get_if<ParamStatement>(&statement.node);
+        const LetStatement* let = std::get_if<LetStatement>(&statement.node);
+        const PaletteStatement* palette = std::get_if<PaletteStatement>(&statement.node);
+        return (param != nullptr && param->name.text == name) || (let != nullptr && let->name.text == name) ||
+               (palette != nullptr && palette->name.text == name);
+    });
+}
+
+// A value that depends neither on other names nor on choices. A word that names nothing means itself.
+std::optional<Value> constant(const Expression& expression, const Document& document) {
     if (has_choice(expression)) return std::nullopt;
     const Scope nothing;
     Evaluation at;
     at.document = &document;
     at.scope = &nothing;
-    const Result<Value> value = evaluate(expression, at);
-    if (!value) return std::nullopt;
-    const Quantity* quantity = std::get_if<Quantity>(&value->data);
-    return quantity == nullptr ? std::nullopt : std::optional(*quantity);
-}
-
-// Whether both are constants and `low` is not at or below `high`.
-bool is_above(const Expression& low, const Expression& high, const Document& document) {
-    const std::optional<Quantity> first = constant_quantity(low, document);
-    const std::optional<Quantity> second = constant_quantity(high, document);
-    if (!first || !second) return false;
-    const std::optional<AdaptedPair> pair = adapted(*first, document.units[0], *second, document.units[0]);
-    return !pair || !(pair->first.value <= pair->second.value);
-}
-
-// A word, text, colour or flag: what a list of alternatives is compared with as it is written.
-bool is_written_constant(const Expression& expression, const Document& document) {
     const NameReference* reference = std::get_if<NameReference>(&expression.node);
-    if (reference == nullptr) {
-        return std::holds_alternative<TextLiteral>(expression.node) ||
-               std::holds_alternative<ColourLiteral>(expression.node) ||
-               std::holds_alternative<BoolLiteral>(expression.node);
-    }
-    return std::none_of(document.statements.begin(), document.statements.end(), [&](const Statement& statement) {
-        const ParamStatement* param = std::get_if<ParamStatement>(&statement.node);
-        const LetStatement* let = std::get_if<LetStatement>(&statement.node);
-        const PaletteStatement* palette = std::get_if<PaletteStatement>(&statement.node);
-        return (param != nullptr && param->name.text == reference->name) ||
-               (let != nullptr && let->name.text == reference->name) ||
-               (palette != nullptr && palette->name.text == reference->name);
-    });
+    if (reference != nullptr && !is_defined(document, reference->name)) at.words = {reference->name};
+    Result<Value> value = evaluate(expression, at);
+    return value ? std::optional(std::move(*value)) : std::nullopt;
 }
 
-// The alternatives of a domain that is a list or a one_of.
-std::vector<ExpressionPtr> alternatives_of(const Expression& domain) {
-    if (const ListExpression* list = std::get_if<ListExpression>(&domain.node)) return list->items;
-    std::vector<ExpressionPtr> alternatives;
-    const CallExpression* call = std::get_if<CallExpression>(&domain.node);
-    if (call == nullptr || call->name != "one_of") return alternatives;
-    for (const CallArgument& argument : call->arguments) {
-        alternatives.push_back(argument.key ? argument.key : argument.value);
+std::optional<ParamDomain> constant_domain(const Expression& expression, const Document& document) {
+    if (const RangeExpression* range = std::get_if<RangeExpression>(&expression.node)) {
+        const std::optional<Value> low = constant(*range->low, document), high = constant(*range->high, document);
+        if (!low || !high) return std::nullopt;
+        Result<ParamDomain> domain = range_domain(*low, *high, document, expression.span);
+        return domain ? std::optional(std::move(*domain)) : std::nullopt;
     }
-    return alternatives;
+    ParamDomain domain;
+    for (const ExpressionPtr& item : items_of_domain(expression)) {
+        std::optional<Value> value = constant(*item, document);
+        if (!value) return std::nullopt;
+        domain.alternatives.push_back(std::move(*value));
+    }
+    return domain.alternatives.empty() ? std::nullopt : std::optional(std::move(domain));
 }
 
-bool is_outside(const Expression& value, const Expression& domain, const Document& document) {
-    if (const RangeExpression* range = std::get_if<RangeExpression>(&domain.node)) {
-        const RangeExpression* choice = std::get_if<RangeExpression>(&value.node);
-        const Expression& least = choice != nullptr ? *choice->low : value;
-        const Expression& greatest = choice != nullptr ? *choice->high : value;
-        return is_above(*range->low, least, document) || is_above(greatest, *range->high, document);
+// Why a value, or an end of the range that it is drawn from, is outside a constant domain.
+std::optional<Diagnostic> outside_domain(const Expression& value, const Expression& domain_expression,
+                                         const Document& document) {
+    const std::optional<ParamDomain> domain = constant_domain(domain_expression, document);
+    if (!domain) return std::nullopt;
+    const RangeExpression* range = std::get_if<RangeExpression>(&value.node);
+    const Expression* const first = range != nullptr ? range->low.get() : &value;
+    const Expression* const last = range != nullptr ? range->high.get() : &value;
+    for (const Expression* part : {first, last}) {
+        const std::optional<Value> known = constant(*part, document);
+        if (!known) continue;
+        if (std::optional<Diagnostic> problem = outside(*domain, *known, document, {})) return problem;
     }
-    const std::vector<ExpressionPtr> alternatives = alternatives_of(domain);
-    const bool is_number = constant_quantity(value, document).has_value();
-    if (alternatives.empty() || (!is_number && !is_written_constant(value, document))) return false;
-    return std::none_of(alternatives.begin(), alternatives.end(), [&](const ExpressionPtr& alternative) {
-        if (!is_number) return same_meaning(value, *alternative) || !is_written_constant(*alternative, document);
-        return !is_above(value, *alternative, document) && !is_above(*alternative, value, document);
-    });
+    return std::nullopt;
 }
 
 // Whether a `?` or an `in` of the value, outside brackets, would meet the statement's own words.
@@ -182,12 +170,11 @@ Result<std::string> with_parameter(const Document& document, std::string_view na
     if (!parsed) return std::move(parsed).diagnostics();
     // Bare lengths are in the document's unit.
     const ExpressionPtr expression = *parse_expression(value, 0);
-    if (param->domain && is_outside(*expression, *param->domain, document)) {
-        return error("edit.outside-domain",
-                     in_quotes(text_of(*expression, value)) + " is not in the domain " +
-                         in_quotes(text_of(*param->domain, text)) + " of the parameter " + in_quotes(wanted));
+    if (param->domain) {
+        if (std::optional<Diagnostic> problem = outside_domain(*expression, *param->domain, document)) {
+            return std::move(*problem);
+        }
     }
-
     std::string written(text_of(*expression, value));
     if (meets_statement(*expression)) {
         written = "(" + written + ")";

@@ -95,6 +95,15 @@ TEST(Parse, OtherStatements) {
     EXPECT_EQ(meaning("\xEF\xBB\xBF# nothing\n\n"), "");
 }
 
+TEST(Parse, VersionSeedAndUnitStandOnce) {
+    EXPECT_EQ(first_code("seed 1\nseed 1"), "language.repeated-statement");
+    EXPECT_EQ(first_code("unit mm; unit mm"), "language.repeated-statement");
+    EXPECT_EQ(first_code("filigree 1\nfiligree 1"), "language.repeated-statement");
+    const Parsed result = parsed("unit mm\nunit cm\nunit pt");
+    EXPECT_EQ(result.diagnostics.size(), 2U);
+    EXPECT_EQ(result.document.units, std::vector<Unit>{Unit::mm});
+}
+
 TEST(Parse, LineEndsOfEveryKind) {
     const std::string text = "grammar tangle\nstart a = rectangle(\n  10, # wide\n  20)\nstyle a {\n fill: black\n}\n";
     std::string with_returns;

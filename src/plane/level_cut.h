@@ -5,10 +5,19 @@
 // sorted along each level, paired, and the faces are traced. Paper: gTangle, section 4.2 (regular split).
 //
 // Guarantees: the pieces partition the shape (both sides of a cut share all of its vertices, so their areas
-// add up to the shape's to 1e-9); a vertex closer than 2^-20 px to a level counts as on it, so no slivers
-// thinner than that arise; the result depends on the geometry alone, not on where a ring starts.
-// Cost: O(points + crossings log crossings + chord points). Holes that no level crosses are assigned to
-// faces of their strip by boxes first.
+// add up to the shape's to 1e-9). Crossings on an edge depend on the edge and the family alone: neighbours
+// cut by one family share their new vertices, too, so a dual split is a conforming partition. A vertex within
+// 2^-20 px of a level is on it, and levels within 2^-20 px of the one below them are left out, so no slivers
+// thinner than that arise. The result depends on the geometry alone, not on where rings start or in what
+// order they come: a ring starts at its lexicographically least point, holes are in the order of theirs.
+// What runs along a level stays on its own side; a piece comes to no point twice because of a cut.
+// Refuses: what is no family leaves the shape in one piece, of first_strip: a frame, samples or levels (over
+// the shape) that are not finite, levels that do not increase, a step below 2^-16 px, more than 2^22 samples
+// over the shape, more than 2^31 points of all pieces. The shape must be clean (polygon.h).
+// Cost: O(points + crossings log crossings + chord points); levels outside the shape cost a bisection.
+// Holes that no level crosses are assigned to faces of their strip by one sweep a strip.
+//
+// Method: level_walk.h (rings to arcs, crossings to chords), level_faces.h (both to faces).
 #pragma once
 
 #include <cstdint>

@@ -35,17 +35,17 @@ struct DrawnShape {
 };
 
 struct DrawingGroup {
-    std::string path;                        // "big_poly/outline/in": what made it, for people
+    std::string path;                                  // "big_poly/outline/in": what made it, for people
     std::uint32_t first_shape = 0, end_shape = 0;      // of Drawing::shapes
     std::uint32_t first_overlay = 0, end_overlay = 0;  // of Drawing::shapes: painted over the children
-    std::vector<std::uint32_t> children;     // indices of groups, in painting order; all above this one's own
+    std::vector<std::uint32_t> children;               // indices of groups, in painting order; all above this one's own
 };
 
 // The visible rectangle and how large it is in the world.
 struct Canvas {
-    Vec origin;                 // px, its top left corner in the drawing's coordinates
-    Vec size{1, 1};             // px
-    bool in_mm = false;         // whether files should give its size in mm
+    Vec origin;          // px, its top left corner in the drawing's coordinates
+    Vec size{1, 1};      // px
+    bool in_mm = false;  // whether files should give its size in mm
     std::optional<Colour> background;
 
     bool operator==(const Canvas&) const = default;
@@ -56,16 +56,16 @@ struct Drawing {
     std::vector<std::shared_ptr<const Polygons>> geometry;
     std::vector<Style> styles;
     std::vector<DrawnShape> shapes;
-    std::vector<DrawingGroup> groups;        // [0] is the root; a child stands after its parent
+    std::vector<DrawingGroup> groups;  // [0] is the root; a child stands after its parent
 };
 
 // One step of painting a drawing, as a walk over its groups.
 struct PaintStep {
     enum class Kind : std::uint8_t { enter, shapes, leave };
     Kind kind = Kind::enter;
-    bool overlay = false;                    // of shapes: whether they are the group's overlay
+    bool overlay = false;  // of shapes: whether they are the group's overlay
     std::uint32_t group = 0;
-    std::uint32_t first = 0, end = 0;        // of shapes: a range of Drawing::shapes, never empty
+    std::uint32_t first = 0, end = 0;  // of shapes: a range of Drawing::shapes, never empty
 
     bool operator==(const PaintStep&) const = default;
 };

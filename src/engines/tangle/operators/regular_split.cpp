@@ -87,22 +87,21 @@ Levels levels_in(const Layout& layout, const std::vector<double>& offsets) {
     return levels;
 }
 
-// Local keys of pieces: the field (i, j) they lie in and which piece of it, so that one strip more at either
-// end renames nothing.
+// Local keys of the pieces of one cut, which come by strip: the strip's number and which piece of it, so that
+// one strip more at either end renames nothing.
 class LocalKeys {
 public:
-    std::uint64_t next(std::int32_t column, std::int32_t row) {
-        const std::pair<std::int32_t, std::int32_t> field{column, row};
-        piece_ = field == last_ ? piece_ + 1 : 0;
-        last_ = field;
-        const auto packed = static_cast<std::uint64_t>(static_cast<std::uint32_t>(column)) << 32 |
-                            static_cast<std::uint32_t>(row);
-        return fold(packed, piece_);
+    explicit LocalKeys(std::uint64_t within) : within_(within) {}
+
+    std::uint64_t next(std::int32_t strip) {
+        piece_ = strip == last_ ? piece_ + 1 : 0;
+        last_ = strip;
+        return fold(fold(within_, static_cast<std::uint32_t>(strip)), piece_);
     }
 
 private:
-    std::pair<std::int32_t, std::int32_t> last_{INT32_MIN, INT32_MIN};
-    std::uint64_t piece_ = 0;
+    std::uint64_t within_ = 0, piece_ = 0;
+    std::int32_t last_ = INT32_MIN;
 };
 
 // The extent across a frame of everything inside a box, give or take the curve's own height.
@@ -162,20 +161,20 @@ Result<OperatorOutput> run(const OperatorInput& input) {
             batch.ports[0].push_back(piece);
         };
         const LevelCut strips = cut(polygon, first);
+        LocalKeys strip_keys(0);
         if (!dual) {
-            LocalKeys keys;
             for (std::size_t i = 0; i < strips.pieces.size(); ++i) {
-                add(strips.pieces, i, strips.strips[i], 0, keys.next(strips.strips[i], 0));
+                add(strips.pieces, i, strips.strips[i], 0, strip_keys.next(strips.strips[i]));
             }
             return;
         }
         const LevelFamily second = family_in(turned(frame));
         if (too_many) return;
-        LocalKeys keys;
         for (std::size_t s = 0; s < strips.pieces.size(); ++s) {
             const LevelCut fields = cut(strips.pieces[s], second);
+            LocalKeys field_keys(strip_keys.next(strips.strips[s]));
             for (std::size_t i = 0; i < fields.pieces.size(); ++i) {
-                add(fields.pieces, i, strips.strips[s], fields.strips[i], keys.next(strips.strips[s], fields.strips[i]));
+                add(fields.pieces, i, strips.strips[s], fields.strips[i], field_keys.next(fields.strips[i]));
             }
         }
     });
