@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "base/random.h"
@@ -72,15 +73,15 @@ void scatter_points(benchmark::State& state, double spacing, std::uint64_t expec
     state.SetItemsProcessed(state.iterations() * count);
 }
 
-BENCHMARK_CAPTURE(inset_discs, mitre_half, 0.5, Join::mitre, 0.02, 0U)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(inset_discs, mitre_1, 1, Join::mitre, 0.02, 0U)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(inset_discs, mitre_4, 4, Join::mitre, 0.02, 0U)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(inset_discs, round_1, 1, Join::round, 0.02, 0U)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(inset_discs, round_4, 4, Join::round, 0.02, 0U)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(inset_discs, rough_1, 1, Join::mitre, 0.15, 0U)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(inset_discs, rough_4, 4, Join::mitre, 0.15, 0U)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(scatter_points, by_4, 4, 0U)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(scatter_points, by_1, 1, 0U)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(inset_discs, mitre_half, 0.5, Join::mitre, 0.02, 8056181024301218246U)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(inset_discs, mitre_1, 1, Join::mitre, 0.02, 220961921634829185U)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(inset_discs, mitre_4, 4, Join::mitre, 0.02, 13015828241991962613U)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(inset_discs, round_1, 1, Join::round, 0.02, 5105872765474867776U)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(inset_discs, round_4, 4, Join::round, 0.02, 1784957094633797676U)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(inset_discs, rough_1, 1, Join::mitre, 0.15, 825888970641116326U)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(inset_discs, rough_4, 4, Join::mitre, 0.15, 10704300790036378698U)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(scatter_points, by_4, 4, 15584495041833600204U)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(scatter_points, by_1, 1, 15108754323317825530U)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace filigree

@@ -233,7 +233,7 @@ public:
 
     Result<PlaneStart> build() {
         for (const Statement& statement : document_.statements) {
-            if (const auto* start = std::get_if<StartStatement>(&statement.node)) add_start(*start, statement.span);
+            if (const auto* start = std::get_if<StartStatement>(&statement.node)) add_start(*start);
         }
         if (number_ == 0) {
             diagnostics_.push_back(error("start.missing", "the document has no start to grow from", {},
@@ -252,7 +252,7 @@ private:
         for (const Diagnostic& reason : reasons) diagnostics_.push_back(at_span(reason, span));
     }
 
-    void add_start(const StartStatement& start, SourceSpan span) {
+    void add_start(const StartStatement& start) {
         const std::size_t number = number_++;
         const Key key = child(Key{hash_text("start")}, number + 1);
         if (start.from) {
@@ -277,7 +277,7 @@ private:
         const Result<Arguments> arguments =
             evaluate_arguments(*bound, document_, settings_.globals, settings_.seed, key, {});
         if (!arguments) return refuse(arguments.diagnostics(), start.value->span);
-        add_shape(*arguments, start, key, number, span);
+        add_shape(*arguments, start, key, number);
     }
 
     std::vector<std::string> shape_hints(const std::string& wanted) const {
@@ -293,21 +293,22 @@ private:
         return hints;
     }
 
-    void add_shape(const Arguments& arguments, const StartStatement& start, Key key, std::size_t number, SourceSpan span) {
+    void add_shape(const Arguments& arguments, const StartStatement& start, Key key, std::size_t number) {
+        const SourceSpan whole = start.value->span;
         const std::string overlap(arguments.word("overlap"));
         std::vector<Piece> pieces;
         const std::string_view name = arguments.description->name;
         if (name == "file") {
             const std::string file = std::get<std::string>(arguments.value("name").data);
             const std::string id = std::get<std::string>(arguments.value("id").data);
-            const Result<SvgPicture> picture = picture_of(inputs_, file, arguments.value("name").span);
-            if (!picture) return refuse(picture.diagnostics(), span);
+            const Result<SvgPicture> picture = picture_of(inputs_, file, whole);
+            if (!picture) return refuse(picture.diagnostics(), whole);
             for (const Diagnostic& note : picture.diagnostics()) {
                 diagnostics_.push_back(warning(note.code, "in '" + file + "': " + note.message,
-                                               arguments.value("name").span, note.hints));
+                                               whole, note.hints));
             }
             const auto shapes = chosen_shapes(*picture, file, id);
-            if (!shapes) return refuse(shapes.diagnostics(), start.value->span);
+            if (!shapes) return refuse(shapes.diagnostics(), whole);
             const Transform to_size = scaled_to_width(*shapes, arguments.number("width"));
             for (const SvgShape* shape : *shapes) {
                 pieces.push_back({clean(flatten(transformed(shape->path, to_size), settings_.resolution),
@@ -315,19 +316,18 @@ private:
                                   start.tag.text, child(key, pieces.size()), number});
             }
         } else if (name == "path") {
-            const Value& data = arguments.value("data");
-            const Result<Path> path = parse_path_data(std::get<std::string>(data.data));
+            const Result<Path> path = parse_path_data(std::get<std::string>(arguments.value("data").data));
             if (!path) {
                 Diagnostic reason = path.diagnostics().front();
                 reason.message += " (byte " + std::to_string(reason.span.begin + 1) + " of the path data)";
-                reason.span = data.span;
+                reason.span = whole;
                 diagnostics_.push_back(std::move(reason));
                 return;
             }
             const double scale = arguments.number("scale");
             const std::vector<Polyline> outlines =
                 flatten(transformed(*path, scaling(scale, scale)), settings_.resolution);
-            if (auto open = open_subpath(outlines, "the start")) return refuse({*open}, data.span);
+            if (auto open = open_subpath(outlines, "the start")) return refuse({*open}, whole);
             pieces.push_back({clean(outlines, FillRule::even_odd), start.tag.text, child(key, 0), number});
         } else {
             std::vector<Polyline> outlines = built_in_outline(arguments, settings_.resolution);
@@ -337,7 +337,7 @@ private:
             }
             pieces.push_back({clean(outlines, FillRule::nonzero), start.tag.text, child(key, 0), number});
         }
-        accept(std::move(pieces), overlap, start.value->span);
+        accept(std::move(pieces), overlap, whole);
     }
 
     static Transform scaled_to_width(const std::vector<const SvgShape*>& shapes, double width) {

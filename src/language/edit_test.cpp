@@ -44,7 +44,9 @@ TEST(WithSeed, AddsAStatementWithoutGrammar) {
 }
 
 TEST(WithSeed, LeavesIncludedFilesAlone) {
-    const IncludeLoader loader = [](std::string_view) { return Result<std::string>(std::string("grammar tangle\nseed 3\nlet a = 1")); };
+    const IncludeLoader loader = [](std::string_view) {
+        return Result<std::string>(std::string("grammar tangle\nseed 3\nlet a = 1"));
+    };
     const Parsed document = parse_document("case.fil", "include \"a.fil\"\n", loader);
     EXPECT_EQ(with_seed(document.document, 5), "seed 5\ninclude \"a.fil\"\n");
 }
@@ -145,12 +147,14 @@ TEST(Edits, ChangeOneParameterAlone) {
         }
         ++edits;
         const Parsed again = parsed(*text);
-        ASSERT_TRUE(again.diagnostics.empty()) << "seed " << seed << "\n" << to_text(again.diagnostics, again.document.sources);
+        ASSERT_TRUE(again.diagnostics.empty()) << "seed " << seed << "\n"
+                                               << to_text(again.diagnostics, again.document.sources);
         ASSERT_EQ(again.document.statements.size(), document.statements.size()) << "seed " << seed;
         for (std::size_t i = 0; i < document.statements.size(); ++i) {
             const Statement& old = document.statements[i];
             Statement now = again.document.statements[i];
-            if (ParamStatement* param = std::get_if<ParamStatement>(&now.node); param != nullptr && param->name.text == name) {
+            if (ParamStatement* param = std::get_if<ParamStatement>(&now.node);
+                param != nullptr && param->name.text == name) {
                 EXPECT_EQ(unparse(param->value), unparse(*parse_expression(value))) << "seed " << seed;
                 const ParamStatement& was = std::get<ParamStatement>(old.node);
                 param->value = was.value;

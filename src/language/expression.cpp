@@ -37,9 +37,9 @@ bool same(const WithinExpression& a, const WithinExpression& b) {
     return same(a.value, b.value) && same(a.range, b.range);
 }
 bool same(const CallExpression& a, const CallExpression& b) {
-    return a.name == b.name && std::equal(a.arguments.begin(), a.arguments.end(), b.arguments.begin(),
-                                          b.arguments.end(),
-                                          [](const CallArgument& x, const CallArgument& y) { return same(x, y); });
+    return a.name == b.name &&
+           std::equal(a.arguments.begin(), a.arguments.end(), b.arguments.begin(), b.arguments.end(),
+                      [](const CallArgument& x, const CallArgument& y) { return same(x, y); });
 }
 bool same(const MemberExpression& a, const MemberExpression& b) { return a.name == b.name && same(a.object, b.object); }
 

@@ -30,13 +30,15 @@ TEST(SameMeaning, LooksPastBlanksBracketsAndSpelling) {
 
 TEST(SameMeaning, SeesEveryDifference) {
     const std::vector<std::string_view> all = {
-        "1",     "1mm",     "100%",     "-1",       "!a",        "a",      "b",        "\"a\"",   "true",      "false",
-        "#a03",  "#a04",    "[]",       "[a]",      "[a, b]",    "(a, b)", "(a, b, c)", "f()",    "g()",       "f(a)",
-        "f(a: a)", "f(b: a)", "f(a, a)", "a + b",   "b + a",     "a - b",  "a..b",     "b..a",    "a in 1..2", "a in 1..3",
-        "b in 1..2", "a.b", "a.c",      "c.b",      "a ? b : c", "b ? b : c", "a ? c : c", "a ? b : b", "a & b", "a == b",
+        "1",         "1mm",   "100%",      "-1",        "!a",        "a",         "b",         "\"a\"",
+        "true",      "false", "#a03",      "#a04",      "[]",        "[a]",       "[a, b]",    "(a, b)",
+        "(a, b, c)", "f()",   "g()",       "f(a)",      "f(a: a)",   "f(b: a)",   "f(a, a)",   "a + b",
+        "b + a",     "a - b", "a..b",      "b..a",      "a in 1..2", "a in 1..3", "b in 1..2", "a.b",
+        "a.c",       "c.b",   "a ? b : c", "b ? b : c", "a ? c : c", "a ? b : b", "a & b",     "a == b",
     };
     for (std::size_t i = 0; i < all.size(); ++i) {
-        for (std::size_t j = 0; j < all.size(); ++j) EXPECT_EQ(same(all[i], all[j]), i == j) << all[i] << " and " << all[j];
+        for (std::size_t j = 0; j < all.size(); ++j)
+            EXPECT_EQ(same(all[i], all[j]), i == j) << all[i] << " and " << all[j];
     }
 }
 

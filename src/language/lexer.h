@@ -23,12 +23,40 @@ enum class LexMode : std::uint8_t {
 };
 
 enum class TokenKind : std::uint8_t {
-    end_of_text, end_of_line,
-    number, name, text, colour,
-    arrow, range, question, colon, comma, semicolon, dot,
-    assign, equal, unequal, less, less_equal, greater, greater_equal, both, either, invert,
-    plus, minus, star, slash, meet,
-    open_round, close_round, open_square, close_square, open_curly, close_curly,
+    end_of_text,
+    end_of_line,
+    number,
+    name,
+    text,
+    colour,
+    arrow,
+    range,
+    question,
+    colon,
+    comma,
+    semicolon,
+    dot,
+    assign,
+    equal,
+    unequal,
+    less,
+    less_equal,
+    greater,
+    greater_equal,
+    both,
+    either,
+    invert,
+    plus,
+    minus,
+    star,
+    slash,
+    meet,
+    open_round,
+    close_round,
+    open_square,
+    close_square,
+    open_curly,
+    close_curly,
     invalid,
 };
 
@@ -45,10 +73,10 @@ enum class Trouble : std::uint8_t {
 struct Token {
     TokenKind kind = TokenKind::end_of_text;
     Trouble trouble = Trouble::none;
-    Unit unit = Unit::none;     // of a number
-    bool starts_line = false;   // nothing but blanks before it on its line
+    Unit unit = Unit::none;    // of a number
+    bool starts_line = false;  // nothing but blanks before it on its line
     std::uint32_t begin = 0, end = 0;
-    double number = 0;          // before its unit
+    double number = 0;  // before its unit
 };
 
 // The first token at or behind `offset`, which must lie between two tokens of `text` (valid UTF-8 of less than

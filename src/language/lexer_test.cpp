@@ -60,7 +60,8 @@ TEST(Lexer, NumbersWithUnitsAndExponents) {
 }
 
 TEST(Lexer, NumbersThatAreNone) {
-    for (const std::string_view text : {"0_medium_poly", "5x", "5mmm", "5e", "5em", "1e5x", "2in_", "100x200", "5\xC3\xA9"}) {
+    for (const std::string_view text :
+         {"0_medium_poly", "5x", "5mmm", "5e", "5em", "1e5x", "2in_", "100x200", "5\xC3\xA9"}) {
         EXPECT_EQ(trouble_of(text), Trouble::bad_unit) << text;
         EXPECT_EQ(words(text), Words{std::string(text)}) << text;
     }
@@ -95,8 +96,8 @@ TEST(Lexer, TagsAreRunsOfLettersDigitsAndUnderscores) {
 
 TEST(Lexer, SignsAreTakenAsLongAsTheyGo) {
     EXPECT_EQ(words("a->b-->c>=d<=e==f!=g&&h||i&j!k<-l"),
-              (Words{"a", "->", "b", "-", "->", "c", ">=", "d", "<=", "e", "==", "f", "!=", "g", "&&", "h", "||", "i",
-                     "&", "j", "!", "k", "<", "-", "l"}));
+              (Words{"a", "->", "b", "-",  "->", "c", ">=", "d", "<=", "e", "==", "f", "!=",
+                     "g", "&&", "h", "||", "i",  "&", "j",  "!", "k",  "<", "-",  "l"}));
 }
 
 TEST(Lexer, CommentsNeedBlanksOnBothSides) {

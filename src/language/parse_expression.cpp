@@ -16,20 +16,34 @@ struct BinarySign {
 
 std::optional<BinarySign> binary_sign(TokenKind kind) {
     switch (kind) {
-        case TokenKind::either: return BinarySign{BinaryOperator::either, 1};
-        case TokenKind::both: return BinarySign{BinaryOperator::both, 2};
-        case TokenKind::equal: return BinarySign{BinaryOperator::equal, 3};
-        case TokenKind::unequal: return BinarySign{BinaryOperator::unequal, 3};
-        case TokenKind::less: return BinarySign{BinaryOperator::less, 3};
-        case TokenKind::less_equal: return BinarySign{BinaryOperator::less_equal, 3};
-        case TokenKind::greater: return BinarySign{BinaryOperator::greater, 3};
-        case TokenKind::greater_equal: return BinarySign{BinaryOperator::greater_equal, 3};
-        case TokenKind::plus: return BinarySign{BinaryOperator::add, 4};
-        case TokenKind::minus: return BinarySign{BinaryOperator::subtract, 4};
-        case TokenKind::star: return BinarySign{BinaryOperator::multiply, 5};
-        case TokenKind::slash: return BinarySign{BinaryOperator::divide, 5};
-        case TokenKind::meet: return BinarySign{BinaryOperator::meet, 5};
-        default: return std::nullopt;
+        case TokenKind::either:
+            return BinarySign{BinaryOperator::either, 1};
+        case TokenKind::both:
+            return BinarySign{BinaryOperator::both, 2};
+        case TokenKind::equal:
+            return BinarySign{BinaryOperator::equal, 3};
+        case TokenKind::unequal:
+            return BinarySign{BinaryOperator::unequal, 3};
+        case TokenKind::less:
+            return BinarySign{BinaryOperator::less, 3};
+        case TokenKind::less_equal:
+            return BinarySign{BinaryOperator::less_equal, 3};
+        case TokenKind::greater:
+            return BinarySign{BinaryOperator::greater, 3};
+        case TokenKind::greater_equal:
+            return BinarySign{BinaryOperator::greater_equal, 3};
+        case TokenKind::plus:
+            return BinarySign{BinaryOperator::add, 4};
+        case TokenKind::minus:
+            return BinarySign{BinaryOperator::subtract, 4};
+        case TokenKind::star:
+            return BinarySign{BinaryOperator::multiply, 5};
+        case TokenKind::slash:
+            return BinarySign{BinaryOperator::divide, 5};
+        case TokenKind::meet:
+            return BinarySign{BinaryOperator::meet, 5};
+        default:
+            return std::nullopt;
     }
 }
 
@@ -154,10 +168,15 @@ Tree Parser::read_primary() {
         case TokenKind::colour:
             take();
             return make(span_of(token), 1, ColourLiteral{colour_of(token, text_)});
-        case TokenKind::name: return read_name_or_call();
-        case TokenKind::open_round: return read_bracketed();
-        case TokenKind::open_square: return read_list();
-        default: fail_missing_value(); return {};
+        case TokenKind::name:
+            return read_name_or_call();
+        case TokenKind::open_round:
+            return read_bracketed();
+        case TokenKind::open_square:
+            return read_list();
+        default:
+            fail_missing_value();
+            return {};
     }
 }
 
@@ -192,8 +211,9 @@ Tree Parser::read_bracketed() {
     if (!read_items(TokenKind::close_round, items, height)) return {};
     const SourceSpan span = span_from(begin);
     if (items.size() > 3) {
-        fail(peek(), error("language.bad-point", "a point has 2 or 3 coordinates, found " + std::to_string(items.size()),
-                           span, {"a list is written in square brackets: [1, 2, 3, 4]"}));
+        fail(peek(),
+             error("language.bad-point", "a point has 2 or 3 coordinates, found " + std::to_string(items.size()), span,
+                   {"a list is written in square brackets: [1, 2, 3, 4]"}));
         return {};
     }
     return make(span, height + 1, PointExpression{std::move(items)});

@@ -159,7 +159,8 @@ std::uint32_t Parser::behind_line(std::uint32_t at, bool is_lost) {
         std::optional<std::uint32_t> behind;
         switch (token.kind) {
             case TokenKind::end_of_text:
-            case TokenKind::end_of_line: return token.begin;
+            case TokenKind::end_of_line:
+                return token.begin;
             case TokenKind::semicolon:
                 if (!is_lost) return token.begin;
                 break;
@@ -175,7 +176,8 @@ std::uint32_t Parser::behind_line(std::uint32_t at, bool is_lost) {
                 may_jump = behind.has_value();
                 is_lost = is_lost || !behind;
                 break;
-            default: break;
+            default:
+                break;
         }
         at = behind.value_or(token.end);
     }

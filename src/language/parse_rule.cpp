@@ -198,17 +198,17 @@ void Parser::fail_behind_tag(std::string_view code, std::string_view wanted) {
     const Token found = peek();
     std::vector<std::string> hints;
     const bool touches = found.begin == taken_end_;
-    const bool is_line_sign = found.kind == TokenKind::minus || found.kind == TokenKind::dot ||
-                              found.kind == TokenKind::slash;
+    const bool is_line_sign =
+        found.kind == TokenKind::minus || found.kind == TokenKind::dot || found.kind == TokenKind::slash;
     const bool is_clause = found.kind == TokenKind::name && (bytes_of(found) == "when" || bytes_of(found) == "weight");
     if (is_line_sign && touches && token_behind(found).begin == found.end) {
         hints = {"a tag has letters, digits and '_' only"};
     } else if (found.kind == TokenKind::minus || found.kind == TokenKind::greater) {
         hints = {"an arrow is written '->'"};
     } else if (found.kind == TokenKind::assign && token_behind(found).kind == TokenKind::greater) {
-        return fail(found, error(std::string(code), "expected " + std::string(wanted) + ", found '=>'",
-                                 span_over(span_of(found), span_of(token_behind(found))),
-                                 {"an arrow is written '->'"}));
+        return fail(found,
+                    error(std::string(code), "expected " + std::string(wanted) + ", found '=>'",
+                          span_over(span_of(found), span_of(token_behind(found))), {"an arrow is written '->'"}));
     } else if (is_clause && code != "language.missing-arrow") {
         hints = {in_quotes(bytes_of(found)) + " stands before the arrow"};
     }

@@ -11,9 +11,9 @@ namespace filigree {
 
 namespace {
 
-constexpr std::array<std::string_view, 14> keywords = {"filigree", "grammar", "seed",     "unit",    "resolution",
-                                                       "include",  "param",   "let",      "page",    "limit",
-                                                       "symmetry", "palette", "start",    "style"};
+constexpr std::array<std::string_view, 14> keywords = {"filigree", "grammar", "seed",  "unit", "resolution",
+                                                       "include",  "param",   "let",   "page", "limit",
+                                                       "symmetry", "palette", "start", "style"};
 
 bool is_keyword(std::string_view word) { return std::find(keywords.begin(), keywords.end(), word) != keywords.end(); }
 
@@ -93,7 +93,8 @@ void Parser::read_by_keyword(const Token& keyword, Statement& statement) {
         put(read_param());
     } else if (word == "let") {
         named("a name", "'let gap = 5'", [&](Name name) {
-            if (ExpressionPtr value = read_expression()) statement.node = LetStatement{std::move(name), std::move(value)};
+            if (ExpressionPtr value = read_expression())
+                statement.node = LetStatement{std::move(name), std::move(value)};
         });
     } else if (word == "page") {
         put(read_page());
@@ -132,7 +133,8 @@ void Parser::fail_first_token(const Token& first) {
         report_at("language.unexpected-token", "expected a statement, found " + found,
                   {"a rule stays on one line; only inside brackets may it go on in the next"});
     } else if (first.kind == TokenKind::slash) {
-        report_at("language.unexpected-token", "expected a statement, found " + found, {"a comment is written '# ...'"});
+        report_at("language.unexpected-token", "expected a statement, found " + found,
+                  {"a comment is written '# ...'"});
     } else if (first.kind == TokenKind::number || first.trouble == Trouble::bad_unit) {
         report_at("language.unexpected-token", "expected a statement, found " + found,
                   {"a name starts with a letter or '_'"});
@@ -182,8 +184,9 @@ std::optional<VersionStatement> Parser::read_version() {
         return std::nullopt;
     }
     if (token.unit != Unit::none || token.number != 1) {
-        fail(token, error("language.unknown-version", "there is no version " + describe(token, text_) + " of the language",
-                          span_of(token), {"this program knows version 1"}));
+        fail(token,
+             error("language.unknown-version", "there is no version " + describe(token, text_) + " of the language",
+                   span_of(token), {"this program knows version 1"}));
         return std::nullopt;
     }
     take();
@@ -198,7 +201,8 @@ std::optional<SeedStatement> Parser::read_seed() {
             take();
             return SeedStatement{*seed, span_of(token)};
         }
-        fail(token, error("language.bad-seed", "the seed " + describe(token, text_) + " is too large", span_of(token), hints));
+        fail(token,
+             error("language.bad-seed", "the seed " + describe(token, text_) + " is too large", span_of(token), hints));
         return std::nullopt;
     }
     const Token next = token_behind(token);
@@ -216,7 +220,8 @@ std::optional<SeedStatement> Parser::read_seed() {
 
 std::optional<UnitStatement> Parser::read_unit() {
     if (!at(TokenKind::name)) {
-        fail_expected("language.unknown-unit", "a unit of length", {"the units of length are mm, cm, m, in, pt and px"});
+        fail_expected("language.unknown-unit", "a unit of length",
+                      {"the units of length are mm, cm, m, in, pt and px"});
         return std::nullopt;
     }
     const Token token = take();
@@ -224,8 +229,8 @@ std::optional<UnitStatement> Parser::read_unit() {
     if (!unit || !is_length_unit(*unit)) {
         std::vector<std::string> hints = did_you_mean(bytes_of(token), {"mm", "cm", "m", "in", "pt", "px"});
         if (hints.empty()) hints = {"the units of length are mm, cm, m, in, pt and px"};
-        fail(token, error("language.unknown-unit", "there is no unit of length " + describe(token, text_), span_of(token),
-                          std::move(hints)));
+        fail(token, error("language.unknown-unit", "there is no unit of length " + describe(token, text_),
+                          span_of(token), std::move(hints)));
         return std::nullopt;
     }
     session_.units[file_] = *unit;
@@ -262,7 +267,8 @@ std::optional<ParamStatement> Parser::read_param() {
 
 std::optional<PageStatement> Parser::read_page() {
     using Kind = PageStatement::Kind;
-    constexpr std::string_view example = "a page is written 'page fit', 'page a4', 'page 210mm x 297mm' or 'page tile 10mm x 10mm'";
+    constexpr std::string_view example =
+        "a page is written 'page fit', 'page a4', 'page 210mm x 297mm' or 'page tile 10mm x 10mm'";
     PageStatement page;
     if (accept_word("fit")) {
         page.kind = Kind::fit;

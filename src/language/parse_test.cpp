@@ -109,7 +109,8 @@ TEST(Parse, LineEndsOfEveryKind) {
     std::string with_returns;
     for (const char c : text) with_returns += c == '\n' ? std::string("\r\n") : std::string(1, c);
     EXPECT_EQ(meaning(with_returns), meaning(text));
-    EXPECT_EQ(meaning("let a = \"x\\ny\\\"\\\\\\u{e9}\\u{1F33F}\""), "let a = \"x\\ny\\\"\\\\\xC3\xA9\xF0\x9F\x8C\xBF\"\n");
+    EXPECT_EQ(meaning("let a = \"x\\ny\\\"\\\\\\u{e9}\\u{1F33F}\""),
+              "let a = \"x\\ny\\\"\\\\\xC3\xA9\xF0\x9F\x8C\xBF\"\n");
 }
 
 TEST(Parse, NamesAreComparedInNormalForm) {
@@ -199,7 +200,8 @@ TEST(ParseBounds, TooLarge) {
     const std::string text(max_document_bytes + 1, ' ');
     EXPECT_EQ(first_code(text), "language.too-large");
     EXPECT_EQ(value(text), "language.too-large");
-    const Parsed result = parse_document("a.fil", "include \"b.fil\"", loader_of({{"b.fil", std::string(max_document_bytes - 5, ' ')}}));
+    const Parsed result =
+        parse_document("a.fil", "include \"b.fil\"", loader_of({{"b.fil", std::string(max_document_bytes - 5, ' ')}}));
     ASSERT_EQ(result.diagnostics.size(), 1U);
     EXPECT_EQ(result.diagnostics[0].code, "language.too-large");
 }
@@ -207,11 +209,45 @@ TEST(ParseBounds, TooLarge) {
 // Texts that make careless parsers quadratic: each would take minutes.
 TEST(ParseBounds, StaysLinear) {
     constexpr std::size_t size = 1U << 18;
-    for (const std::string_view part :
-         {"(", "[", "{", "<", "\"", "#", "# ", "\n", ";", "a", "e\xCC\x81", "1", "-", ".", "..", "f(1 1\n", "f({", "a{ ",
-          "style a { b\n", "style a {", "style a { b: 1;", "f(1,", "a ? b :", "f() : a -> [<a>,", "((\n", "({", "{{{\n", "[\n",
-          "f(1 1) : a -> b\n", "f() : a -> b,\n", "f() : a ->\n", "\\", "\"\\\"\\", "let a = \"x\ny", "seed 1\n", "f(}\n", "unit ",
-          "f(\n1 1, [\n", "#\xC3\xA9"}) {
+    for (const std::string_view part : {"(",
+                                        "[",
+                                        "{",
+                                        "<",
+                                        "\"",
+                                        "#",
+                                        "# ",
+                                        "\n",
+                                        ";",
+                                        "a",
+                                        "e\xCC\x81",
+                                        "1",
+                                        "-",
+                                        ".",
+                                        "..",
+                                        "f(1 1\n",
+                                        "f({",
+                                        "a{ ",
+                                        "style a { b\n",
+                                        "style a {",
+                                        "style a { b: 1;",
+                                        "f(1,",
+                                        "a ? b :",
+                                        "f() : a -> [<a>,",
+                                        "((\n",
+                                        "({",
+                                        "{{{\n",
+                                        "[\n",
+                                        "f(1 1) : a -> b\n",
+                                        "f() : a -> b,\n",
+                                        "f() : a ->\n",
+                                        "\\",
+                                        "\"\\\"\\",
+                                        "let a = \"x\ny",
+                                        "seed 1\n",
+                                        "f(}\n",
+                                        "unit ",
+                                        "f(\n1 1, [\n",
+                                        "#\xC3\xA9"}) {
         std::string text = repeated(part, size / part.size());
         parsed(text);
         parsed("let a = " + text);
@@ -225,8 +261,9 @@ TEST(ParseBounds, StaysLinear) {
 TEST(Include, BringsStatementsButNotTheDocumentsOwn) {
     const Parsed result = parse_document(
         "a.fil", "grammar tangle\nunit mm\ninclude \"b.fil\"\nlet z = 1\n",
-        loader_of({{"b.fil", "filigree 1\ngrammar shape\nseed 9\nunit cm\npage a4\nstart q = circle(5)\nlimit depth 3\n"
-                             "let y = 2\nstyle a { fill: red }\noutline(3) : a -> b\ninclude \"c.fil\""},
+        loader_of({{"b.fil",
+                    "filigree 1\ngrammar shape\nseed 9\nunit cm\npage a4\nstart q = circle(5)\nlimit depth 3\n"
+                    "let y = 2\nstyle a { fill: red }\noutline(3) : a -> b\ninclude \"c.fil\""},
                    {"c.fil", "param x = 3\n"}}));
     EXPECT_EQ(to_text(result.diagnostics, result.document.sources), "");
     EXPECT_EQ(unparse(result.document),
@@ -239,8 +276,9 @@ TEST(Include, BringsStatementsButNotTheDocumentsOwn) {
 }
 
 TEST(Include, EachFileOnce) {
-    const Parsed result = parse_document("a.fil", "include \"b.fil\"\ninclude \"c.fil\"; include \"./b.fil\"\n",
-                                         loader_of({{"b.fil", "let b = 1"}, {"c.fil", "include \"b.fil\"\nlet c = 1"}}));
+    const Parsed result =
+        parse_document("a.fil", "include \"b.fil\"\ninclude \"c.fil\"; include \"./b.fil\"\n",
+                       loader_of({{"b.fil", "let b = 1"}, {"c.fil", "include \"b.fil\"\nlet c = 1"}}));
     EXPECT_TRUE(result.diagnostics.empty());
     EXPECT_EQ(result.document.sources.size(), 3U);
 }
@@ -250,8 +288,9 @@ TEST(Include, ACircleIsAnError) {
     ASSERT_EQ(own.diagnostics.size(), 1U);
     EXPECT_EQ(own.diagnostics[0].code, "language.include-cycle");
 
-    const Parsed result = parse_document(
-        "a.fil", "include \"b.fil\"", loader_of({{"b.fil", "include \"c.fil\""}, {"c.fil", "let c = 1\ninclude \"b.fil\""}}));
+    const Parsed result =
+        parse_document("a.fil", "include \"b.fil\"",
+                       loader_of({{"b.fil", "include \"c.fil\""}, {"c.fil", "let c = 1\ninclude \"b.fil\""}}));
     ASSERT_EQ(result.diagnostics.size(), 1U);
     EXPECT_EQ(result.diagnostics[0].code, "language.include-cycle");
     EXPECT_EQ(result.diagnostics[0].span, (SourceSpan{2, 18, 25}));
@@ -265,7 +304,8 @@ TEST(Include, ErrorsHavePlaces) {
     EXPECT_EQ(missing.diagnostics[0].span, (SourceSpan{0, 18, 25}));
     EXPECT_EQ(parsed("include \"b.fil\"").diagnostics.at(0).code, "language.no-include");
 
-    const Parsed inside = parse_document("a.fil", "include \"b.fil\"\nsed 5", loader_of({{"b.fil", "let a = 1\nlet = 2"}}));
+    const Parsed inside =
+        parse_document("a.fil", "include \"b.fil\"\nsed 5", loader_of({{"b.fil", "let a = 1\nlet = 2"}}));
     ASSERT_EQ(inside.diagnostics.size(), 2U);
     EXPECT_EQ(inside.diagnostics[0].code, "language.missing-name");
     EXPECT_EQ(inside.diagnostics[0].span, (SourceSpan{1, 14, 15}));
@@ -323,7 +363,8 @@ TEST(ParseProperty, RandomDocumentsAreRight) {
         for (const Statement& statement : result.document.statements) {
             ASSERT_GE(statement.span.begin, last) << "seed " << seed;
             last = statement.span.end;
-            const std::string bytes = wanted.text.substr(statement.span.begin, statement.span.end - statement.span.begin);
+            const std::string bytes =
+                wanted.text.substr(statement.span.begin, statement.span.end - statement.span.begin);
             ASSERT_EQ(meaning(bytes), unparse(statement) + "\n") << "seed " << seed;
         }
     }
@@ -372,16 +413,47 @@ TEST(ParseProperty, OneErrorForOneBrokenStatement) {
     const int cases = case_count();
     for (int seed = 0; seed < cases; ++seed) {
         RandomText random(static_cast<std::uint64_t>(seed));
-        const std::string broken = random.pick(
-            {"strat a = circle(1)", "let = 5", "let a 5", "f(1 : a -> b", "f(1, : a -> b", "f(1,) : a -> b", "f(1) a -> b",
-             "f(1) : -> b", "f(1) : a b", "f(1) : a ->", "f(1) : a -> b,", "f(1) : a -> [<b>", "f(1) : a -> [<b, c]",
-             "let a = \"b", "let a = 5 % 3", "let a = 5x", "let a = 1e999", "let a = #a0", "start 5 = circle(1)", "seed x",
-             "style a { b 5 }", "style a { b: 5 c: 5 }", "style a { b: (5 }", "f(\n 1 1,\n 2) : a", "f(\n 1,\n @) : a", "}", ")",
-             "page 5", "f(1)) : a -> b", "#x", "let a = (1, 2, 3, 4)", "f(]) : a", "let a = b = c", "f(x = 1) : a -> b"});
-        const std::string text = "let before = 1\n" + broken + "\noutline(3) : z -> y\nstyle q { fill: black }\nlet after = 2\n";
+        const std::string broken = random.pick({"strat a = circle(1)",
+                                                "let = 5",
+                                                "let a 5",
+                                                "f(1 : a -> b",
+                                                "f(1, : a -> b",
+                                                "f(1,) : a -> b",
+                                                "f(1) a -> b",
+                                                "f(1) : -> b",
+                                                "f(1) : a b",
+                                                "f(1) : a ->",
+                                                "f(1) : a -> b,",
+                                                "f(1) : a -> [<b>",
+                                                "f(1) : a -> [<b, c]",
+                                                "let a = \"b",
+                                                "let a = 5 % 3",
+                                                "let a = 5x",
+                                                "let a = 1e999",
+                                                "let a = #a0",
+                                                "start 5 = circle(1)",
+                                                "seed x",
+                                                "style a { b 5 }",
+                                                "style a { b: 5 c: 5 }",
+                                                "style a { b: (5 }",
+                                                "f(\n 1 1,\n 2) : a",
+                                                "f(\n 1,\n @) : a",
+                                                "}",
+                                                ")",
+                                                "page 5",
+                                                "f(1)) : a -> b",
+                                                "#x",
+                                                "let a = (1, 2, 3, 4)",
+                                                "f(]) : a",
+                                                "let a = b = c",
+                                                "f(x = 1) : a -> b"});
+        const std::string text =
+            "let before = 1\n" + broken + "\noutline(3) : z -> y\nstyle q { fill: black }\nlet after = 2\n";
         const Parsed result = parsed(text);
         ASSERT_EQ(result.diagnostics.size(), 1U) << text << to_text(result.diagnostics, result.document.sources);
-        ASSERT_EQ(unparse(result.document), "let before = 1\noutline(3) : z -> y\nstyle q { fill: black; }\nlet after = 2\n") << text;
+        ASSERT_EQ(unparse(result.document),
+                  "let before = 1\noutline(3) : z -> y\nstyle q { fill: black; }\nlet after = 2\n")
+            << text;
     }
 }
 

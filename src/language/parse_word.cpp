@@ -19,8 +19,8 @@ std::optional<Name> Parser::read_name(std::string_view wanted, LexMode mode) {
         const bool has_digit = ahead_.kind == TokenKind::number || ahead_.trouble == Trouble::bad_unit;
         if (has_digit) {
             fail(ahead_, error("language.missing-name",
-                               "expected " + std::string(wanted) + ", found " + describe(ahead_, text_), span_of(ahead_),
-                               {"a name starts with a letter or '_'"}));
+                               "expected " + std::string(wanted) + ", found " + describe(ahead_, text_),
+                               span_of(ahead_), {"a name starts with a letter or '_'"}));
         } else {
             fail_expected("language.missing-name", wanted);
         }
@@ -37,8 +37,9 @@ bool Parser::is_tag(const Token& token, std::string_view place) {
     if (token.kind == TokenKind::name && bytes == "_") {
         fail(token, error("language.bad-tag", "'_' drops an output, it is no tag", span_of(token)));
     } else if (token.kind == TokenKind::name && bytes.find_first_not_of("0123456789") == std::string_view::npos) {
-        fail(token, error("language.bad-tag", describe(token, text_) + " is no tag, for it has only digits",
-                          span_of(token), {"a tag has a letter or '_' as well, as in '_" + in_quotes(bytes).substr(1)}));
+        fail(token,
+             error("language.bad-tag", describe(token, text_) + " is no tag, for it has only digits", span_of(token),
+                   {"a tag has a letter or '_' as well, as in '_" + in_quotes(bytes).substr(1)}));
     } else if (token.kind == TokenKind::text) {
         fail_expected("language.missing-tag", "a tag " + std::string(place), {"tags are written without quotes"});
     } else if (token.kind == TokenKind::less) {

@@ -26,10 +26,10 @@ struct ParseSession {
     std::vector<Unit> units;
     std::vector<Statement> statements;
     Diagnostics diagnostics;
-    std::size_t bytes = 0;                           // of all texts so far
-    std::set<std::string, std::less<>> seen;         // files by their plain name
-    std::vector<std::string> open_files;             // those being parsed, outermost first
-    bool is_full = false;                            // of diagnostics: nothing more is read
+    std::size_t bytes = 0;                    // of all texts so far
+    std::set<std::string, std::less<>> seen;  // files by their plain name
+    std::vector<std::string> open_files;      // those being parsed, outermost first
+    bool is_full = false;                     // of diagnostics: nothing more is read
 };
 
 // Parses one more text: the document or an included file.
@@ -124,7 +124,7 @@ private:
     void fail_behind_tag(std::string_view code, std::string_view wanted);
 
     // --- expressions (parse_expression.cpp)
-    ExpressionPtr read_expression();  // the whole of `expr`
+    ExpressionPtr read_expression();   // the whole of `expr`
     ExpressionPtr read_plain_range();  // without `? :` and `in`: what `param` takes
     Tree read_conditional();
     Tree read_within();
@@ -161,9 +161,9 @@ private:
     std::optional<Token> open_block_;  // the { around the place
     std::size_t nesting_ = 0;          // `?` around the place
     bool has_failed_ = false;
-    Token failed_at_;                  // the token that could not be taken
-    bool is_continued_ = false;        // the statement broke off where its author went on in the next line
-    std::uint64_t lookahead_left_;     // bytes
+    Token failed_at_;               // the token that could not be taken
+    bool is_continued_ = false;     // the statement broke off where its author went on in the next line
+    std::uint64_t lookahead_left_;  // bytes
 
     // Lines of the first statement of each kind that may stand only once.
     std::optional<std::uint32_t> version_line_, seed_line_, unit_line_;

@@ -52,7 +52,9 @@ public:
 
     // A value of a statement: line ends only inside brackets.
     std::string expression(int depth) {
-        if (chance(8)) return range(depth) + gap() + "?" + blank() + expression(depth - 1) + blank() + ":" + blank() + range(depth);
+        if (chance(8))
+            return range(depth) + gap() + "?" + blank() + expression(depth - 1) + blank() + ":" + blank() +
+                   range(depth);
         if (chance(12)) return range(depth) + gap() + "in" + gap() + range(depth);
         return range(depth);
     }
@@ -80,7 +82,9 @@ private:
         return pick({"0", "12", "3.5mm", "1.2m", "30deg", "40%", "1e-3", ".5", "5.", "2in", "1e5", "0.25turn", "4GB",
                      "1E+2px", "007", "3s", "2.5e3cm"});
     }
-    std::string text() { return pick({"\"\"", "\"leaf.svg\"", "\"# \\\" ; ) } \\\\\"", "\"\\n\\u{1F33F}\"", "\"->\""}); }
+    std::string text() {
+        return pick({"\"\"", "\"leaf.svg\"", "\"# \\\" ; ) } \\\\\"", "\"\\n\\u{1F33F}\"", "\"->\""});
+    }
 
     std::string call(int depth) {
         std::string result = name() + blank() + "(" + room();
@@ -94,20 +98,29 @@ private:
     }
     std::string primary(int depth) {
         switch (depth <= 0 ? below(5) : below(9)) {
-            case 0: return number();
-            case 1: return name();
-            case 2: return text();
-            case 3: return pick({"#a03", "#A03F", "#1a1a1a", "#00000080"});
-            case 4: return pick({"true", "false", "page.width", "page . height"});
-            case 5: return "(" + room() + expression(depth - 1) + room() + ")";
-            case 6: return "(" + room() + expression(depth - 1) + room() + "," + room() + expression(depth - 1) + ")";
+            case 0:
+                return number();
+            case 1:
+                return name();
+            case 2:
+                return text();
+            case 3:
+                return pick({"#a03", "#A03F", "#1a1a1a", "#00000080"});
+            case 4:
+                return pick({"true", "false", "page.width", "page . height"});
+            case 5:
+                return "(" + room() + expression(depth - 1) + room() + ")";
+            case 6:
+                return "(" + room() + expression(depth - 1) + room() + "," + room() + expression(depth - 1) + ")";
             case 7: {
                 std::string list = "[" + room();
                 const std::uint32_t count = below(4);
-                for (std::uint32_t i = 0; i < count; ++i) list += (i > 0 ? "," : "") + room() + expression(depth - 1) + room();
+                for (std::uint32_t i = 0; i < count; ++i)
+                    list += (i > 0 ? "," : "") + room() + expression(depth - 1) + room();
                 return list + "]";
             }
-            default: return call(depth);
+            default:
+                return call(depth);
         }
     }
     std::string operation(int depth, int tier) {
@@ -132,11 +145,21 @@ private:
             const std::string space = has_brackets ? room() : blank();
             if (i > 0) result += "," + space;
             switch (below(5)) {
-                case 0: result += "<" + blank() + tag() + blank() + ">"; break;
-                case 1: result += "<>"; break;
-                case 2: result += "_"; break;
-                case 3: result += name() + blank() + ":" + blank() + tag(); break;
-                default: result += tag(); break;
+                case 0:
+                    result += "<" + blank() + tag() + blank() + ">";
+                    break;
+                case 1:
+                    result += "<>";
+                    break;
+                case 2:
+                    result += "_";
+                    break;
+                case 3:
+                    result += name() + blank() + ":" + blank() + tag();
+                    break;
+                default:
+                    result += tag();
+                    break;
             }
             if (has_brackets) result += room();
         }
@@ -159,7 +182,8 @@ private:
         if (chance(3)) result += gap() + "when" + gap() + expression(1);
         result += gap() + "{";
         while (!chance(3)) {
-            result += room() + pick({"fill", "stroke-width", "pen", "in"}) + blank() + ":" + blank() + expression(1) + blank();
+            result += room() + pick({"fill", "stroke-width", "pen", "in"}) + blank() + ":" + blank() + expression(1) +
+                      blank();
             result += chance(2) ? ";" : " # a note" + end_;
         }
         return result + room() + "}";
@@ -175,23 +199,33 @@ private:
                 into.parameters.push_back(parameter);
                 return add(into, text);
             }
-            case 1: return add(into, "let" + gap() + name() + blank() + "=" + blank() + expression(2));
+            case 1:
+                return add(into, "let" + gap() + name() + blank() + "=" + blank() + expression(2));
             case 2:
-                return add(into, "page" + gap() + pick({"fit", "a4", "tile 10mm x 20mm", "210mm x 297mm", "a4 margin 10mm",
-                                                        "fit margin 1cm", "(3 + 4) x gap margin 2"}));
-            case 3: return add(into, "limit" + gap() + name() + gap() + expression(1));
-            case 4: return add(into, "start" + gap() + tag() + blank() + "=" + blank() + expression(2));
-            case 5: return add(into, "start" + gap() + "from" + blank() + text());
-            case 6: return add(into, style());
-            case 7: return add(into, "palette" + gap() + name() + blank() + "=" + blank() + "[#a03," + room() + "#000]");
-            case 8: return add(into, pick({"symmetry p4m", "resolution 0.25", "resolution (1 / 4)"}));
-            default: return add(into, rule());
+                return add(into, "page" + gap() +
+                                     pick({"fit", "a4", "tile 10mm x 20mm", "210mm x 297mm", "a4 margin 10mm",
+                                           "fit margin 1cm", "(3 + 4) x gap margin 2"}));
+            case 3:
+                return add(into, "limit" + gap() + name() + gap() + expression(1));
+            case 4:
+                return add(into, "start" + gap() + tag() + blank() + "=" + blank() + expression(2));
+            case 5:
+                return add(into, "start" + gap() + "from" + blank() + text());
+            case 6:
+                return add(into, style());
+            case 7:
+                return add(into, "palette" + gap() + name() + blank() + "=" + blank() + "[#a03," + room() + "#000]");
+            case 8:
+                return add(into, pick({"symmetry p4m", "resolution 0.25", "resolution (1 / 4)"}));
+            default:
+                return add(into, rule());
         }
     }
     void add(RandomDocument& into, const std::string& statement) {
         ++into.statements;
         const bool at_line_start = into.text.empty() || into.text.back() == '\n' || into.text == "\xEF\xBB\xBF";
-        while (at_line_start && chance(5)) into.text += pick({"# a comment", "## Head", "", "  # seed 5; (", "####", "#"}) + end_;
+        while (at_line_start && chance(5))
+            into.text += pick({"# a comment", "## Head", "", "  # seed 5; (", "####", "#"}) + end_;
         into.text += blank() + statement;
         if (chance(5)) {
             into.text += blank() + ";" + (chance(2) ? blank() : end_);
@@ -211,14 +245,23 @@ inline std::string damaged(std::string text, RandomText& random) {
     for (std::uint32_t i = 0; i < changes && !text.empty(); ++i) {
         const std::uint32_t at = random.below(static_cast<std::uint32_t>(text.size()));
         switch (random.below(5)) {
-            case 0: text.erase(at, 1 + random.below(6)); break;
-            case 1: text.insert(at, text.substr(random.below(static_cast<std::uint32_t>(text.size())), random.below(20))); break;
-            case 2: text.resize(at); break;
-            case 3:
-                text.insert(at, random.pick({"(", ")", "[", "]", "{", "}", "\"", "#", ";", "\n", "->", "=", ",", ":", "<", ">",
-                                             "..", "\\", "%", "\xC2\xA0", "?", "\r", "9", "when", "in", "_"}));
+            case 0:
+                text.erase(at, 1 + random.below(6));
                 break;
-            default: text[at] = static_cast<char>(random.below(256)); break;
+            case 1:
+                text.insert(at, text.substr(random.below(static_cast<std::uint32_t>(text.size())), random.below(20)));
+                break;
+            case 2:
+                text.resize(at);
+                break;
+            case 3:
+                text.insert(
+                    at, random.pick({"(", ")", "[", "]",  "{",  "}", "\"",       "#", ";",  "\n", "->",   "=",  ",",
+                                     ":", "<", ">", "..", "\\", "%", "\xC2\xA0", "?", "\r", "9",  "when", "in", "_"}));
+                break;
+            default:
+                text[at] = static_cast<char>(random.below(256));
+                break;
         }
     }
     return text;

@@ -27,8 +27,8 @@ inline std::string unparse_text(std::string_view text) {
 }
 
 inline std::string unparse_unit(Unit unit) {
-    constexpr std::string_view spellings[] = {"",    "mm",  "cm",   "m", "in", "pt", "px", "deg",
-                                              "rad", "turn", "%", "KB", "MB", "GB", "s"};
+    constexpr std::string_view spellings[] = {"",    "mm",   "cm", "m",  "in", "pt", "px", "deg",
+                                              "rad", "turn", "%",  "KB", "MB", "GB", "s"};
     return std::string(spellings[static_cast<std::size_t>(unit)]);
 }
 
@@ -71,7 +71,9 @@ struct ExpressionUnparser {
         }
         return result + ")";
     }
-    std::string operator()(const MemberExpression& node) const { return "(" + unparse(node.object) + "." + node.name + ")"; }
+    std::string operator()(const MemberExpression& node) const {
+        return "(" + unparse(node.object) + "." + node.name + ")";
+    }
 };
 
 inline std::string unparse(const ExpressionPtr& expression) {
@@ -92,19 +94,31 @@ struct StatementUnparser {
         return "param " + node.name.text + " = " + unparse(node.value) + with("in", node.domain) +
                with("step", node.step) + (node.help ? " " + unparse_text(*node.help) : "");
     }
-    std::string operator()(const LetStatement& node) const { return "let " + node.name.text + " = " + unparse(node.value); }
+    std::string operator()(const LetStatement& node) const {
+        return "let " + node.name.text + " = " + unparse(node.value);
+    }
     std::string operator()(const PageStatement& node) const {
         const std::string size = unparse(node.width) + " x " + unparse(node.height);
         std::string result = "page ";
         switch (node.kind) {
-            case PageStatement::Kind::fit: result += "fit"; break;
-            case PageStatement::Kind::named: result += node.name.text; break;
-            case PageStatement::Kind::size: result += size; break;
-            case PageStatement::Kind::tile: result += "tile " + size; break;
+            case PageStatement::Kind::fit:
+                result += "fit";
+                break;
+            case PageStatement::Kind::named:
+                result += node.name.text;
+                break;
+            case PageStatement::Kind::size:
+                result += size;
+                break;
+            case PageStatement::Kind::tile:
+                result += "tile " + size;
+                break;
         }
         return result + with("margin", node.margin);
     }
-    std::string operator()(const LimitStatement& node) const { return "limit " + node.name.text + " " + unparse(node.value); }
+    std::string operator()(const LimitStatement& node) const {
+        return "limit " + node.name.text + " " + unparse(node.value);
+    }
     std::string operator()(const SymmetryStatement& node) const { return "symmetry " + node.group.text; }
     std::string operator()(const PaletteStatement& node) const {
         return "palette " + node.name.text + " = " + unparse(node.colours);

@@ -8,7 +8,8 @@
 // The expectations are the whole list of diagnostics, warnings too, in the order of places; the `| hint` may be
 // left out. Which layer a case is for shows in its codes. Characters that no one sees stand as their
 // pictures: U+2409 tab, U+240D carriage return, U+2400 NUL, U+2423 no-break space, U+2402 byte order mark,
-// U+FFFD the byte FF, U+2403 (last) a document without a final line end. Lines of `#` before the first case are a comment.
+// U+FFFD the byte FF, U+2403 (last) a document without a final line end. Lines of `#` before the first case are a
+// comment.
 #pragma once
 
 #include <algorithm>
@@ -109,9 +110,11 @@ inline std::string difference(const WrongDocument& wrong, const Diagnostics& fou
             continue;
         } else {
             const ExpectedDiagnostic& expected = wrong.expected[i];
-            const auto has_hint = [&](const std::string& hint) { return hint.find(expected.hint) != std::string::npos; };
-            const bool is_hinted = expected.hint.empty() ||
-                                   std::any_of(found[i].hints.begin(), found[i].hints.end(), has_hint);
+            const auto has_hint = [&](const std::string& hint) {
+                return hint.find(expected.hint) != std::string::npos;
+            };
+            const bool is_hinted =
+                expected.hint.empty() || std::any_of(found[i].hints.begin(), found[i].hints.end(), has_hint);
             const bool has_place = found[i].span.file < sources.size();
             const LineColumn place =
                 has_place ? line_column(sources[found[i].span.file].text, found[i].span.begin) : LineColumn{0, 0};

@@ -1,0 +1,36 @@
+// Whole documents that parse and are wrong all the same: what checking says of them.
+#include <gtest/gtest.h>
+
+#include "language/wrong_documents.h"
+#include "session/check.h"
+
+namespace filigree {
+namespace {
+
+// In the order of places, as they are printed.
+Diagnostics by_place(Diagnostics diagnostics) {
+    std::vector<std::pair<std::uint32_t, std::size_t>> order;
+    for (std::size_t i = 0; i < diagnostics.size(); ++i) {
+        const SourceSpan& span = diagnostics[i].span;
+        order.emplace_back(span.file == SourceSpan::no_file ? 0 : span.begin, i);
+    }
+    std::sort(order.begin(), order.end());
+    Diagnostics sorted;
+    for (const auto& [place, index] : order) sorted.push_back(diagnostics[index]);
+    return sorted;
+}
+
+TEST(WrongTangles, CheckingSaysWhatIsExpected) {
+    int checked = 0;
+    for (const WrongDocument& wrong : read_wrong_documents(FILIGREE_SOURCE_DIR "/tests/data/wrong_tangles.txt")) {
+        const OpenedDocument opened = open_text("case.fil", wrong.text, {});
+        const CheckedDocument result = check_document(opened);
+        EXPECT_EQ(difference(wrong, by_place(result.diagnostics), opened.document.sources), "");
+        EXPECT_FALSE(wrong.expected.empty()) << wrong.name;
+        ++checked;
+    }
+    EXPECT_GE(checked, 45);
+}
+
+}  // namespace
+}  // namespace filigree
