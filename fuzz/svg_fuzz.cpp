@@ -1,10 +1,14 @@
 // Any bytes as an SVG and as path data: reading ends with a picture or with diagnostics whose places lie in the
-// text, and what was read stays on the plane and can be flattened and cleaned.
+// text, and what was read can be flattened and cleaned into polygons without a flaw.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <iostream>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "formats/svg_read.h"
 #include "plane/clean.h"
@@ -17,6 +21,12 @@ using namespace filigree;
 
 void require(bool holds) {
     if (!holds) std::abort();
+}
+
+void require_none(const std::optional<std::string>& flaw) {
+    if (!flaw) return;
+    std::cerr << *flaw << "\n";
+    std::abort();
 }
 
 void check_diagnostics(const Diagnostics& diagnostics, std::size_t size) {
@@ -43,6 +53,8 @@ void check_path(const Path& path, FillRule rule) {
     }
     const Polygons cleaned = clean(lines, rule);
     require(std::isfinite(area(cleaned)) && area(cleaned) >= 0);
+    for (std::size_t i = 0; i < cleaned.size(); ++i) require_none(find_flaw(cleaned[i]));
+    require_none(find_overlap(cleaned));
 }
 
 }  // namespace

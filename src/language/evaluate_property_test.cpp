@@ -53,7 +53,9 @@ public:
             }
             case 3: {
                 const Known a = angle(depth - 1);
-                return {"sin(" + a.text + ")", std::sin(a.value * M_PI / 180)};
+                const double sine = std::sin(std::remainder(a.value, 360) * M_PI / 180);
+                // The library misses the zeros, which are exact here.
+                return {"sin(" + a.text + ")", std::fabs(sine) < 1e-12 ? 0 : sine};
             }
             case 4: {
                 const Known a = bare(depth - 1), b = bare(depth - 1);
@@ -94,6 +96,7 @@ public:
                 return quotient(area(depth - 1), length(depth - 1));
             case 4: {
                 const Known a = area(depth - 1);
+                if (std::fabs(a.value) < 1e-3) return literal("in", 96);  // where rounding would show
                 return {"sqrt(abs(" + a.text + "))", std::sqrt(std::fabs(a.value))};
             }
             case 5: {

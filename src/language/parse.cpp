@@ -185,6 +185,7 @@ Token Parser::take(LexMode mode) {
     const Token token = peek(mode);
     at_ = token.end;
     taken_end_ = token.end;
+    taken_kind_ = token.kind;
     has_ahead_ = false;
     return token;
 }

@@ -87,9 +87,13 @@ void Parser::fail_in_list() {
     }
     const std::string wanted = open.kind == TokenKind::open_round ? "',' or ')'" : "',' or ']'";
     if (ahead_mode_ == LexMode::tag) return fail_expected("language.unexpected-token", wanted);
-    const bool may_be_named = open.kind == TokenKind::open_round && (at(TokenKind::number) || at(TokenKind::name));
     std::vector<std::string> hints;
-    if (may_be_named) hints = {"an argument is named with ':', as in 'size: 20'"};
+    const bool is_item = at(TokenKind::number) || at(TokenKind::name) || at(TokenKind::text) || at(TokenKind::colour);
+    if (is_item && open.kind == TokenKind::open_round && taken_kind_ == TokenKind::name && !ahead_.starts_line) {
+        hints = {"an argument is named with ':', as in 'size: 20'"};
+    } else if (is_item) {
+        hints = {"what stands in brackets is separated by ','"};
+    }
     fail_behind_value("language.unexpected-token", wanted, std::move(hints));
 }
 

@@ -71,10 +71,11 @@ void Parser::read_by_keyword(const Token& keyword, Statement& statement) {
         if (!name || (!example.empty() && !expect_assign(example))) return;
         make(std::move(*name));
     };
-    if (takes_no_assign(word) && at(TokenKind::assign)) {
-        return fail(peek(), error("language.lone-equals", "found '=' behind " + in_quotes(word), span_of(peek()),
-                                  {in_quotes(word) + " takes its value without '='"}));
-    }
+    const auto fail_at_assign = [&] {
+        fail(peek(), error("language.lone-equals", "found '=' behind " + in_quotes(word), span_of(peek()),
+                           {in_quotes(word) + " takes its value without '='"}));
+    };
+    if (takes_no_assign(word) && at(TokenKind::assign)) return fail_at_assign();
     if (word == "filigree") {
         if (is_only_one(version_line_, keyword)) put(read_version());
     } else if (word == "grammar") {
@@ -100,6 +101,7 @@ void Parser::read_by_keyword(const Token& keyword, Statement& statement) {
         put(read_page());
     } else if (word == "limit") {
         named("what is limited", "", [&](Name name) {
+            if (at(TokenKind::assign)) return fail_at_assign();
             if (ExpressionPtr value = read_expression()) {
                 statement.node = LimitStatement{std::move(name), std::move(value)};
             }

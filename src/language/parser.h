@@ -151,6 +151,7 @@ private:
     std::uint32_t file_;
     std::uint32_t at_;             // where the next token is read
     std::uint32_t taken_end_ = 0;  // the end of the last token taken
+    TokenKind taken_kind_ = TokenKind::end_of_line;
 
     Token ahead_;  // read at at_ in this way, if has_ahead_
     LexMode ahead_mode_ = LexMode::value;

@@ -136,6 +136,55 @@ TEST(LevelCut, HolesGoToTheFaceAroundThem) {
     expect_partition(shape, family, result);
 }
 
+TEST(LevelCut, HolesOfManyFacesInOneStrip) {
+    // Slanted teeth, whose ranges of u overlap, each with two holes in the strip that all of them share.
+    Outline comb{{0, 0}, {1200, 0}};
+    const int teeth = 60;
+    for (int i = teeth - 1; i >= 0; --i) {
+        const double x = 20.0 * i;
+        for (const Vec p : {Vec{x + 10, 10}, Vec{x + 110, 110}, Vec{x + 100, 110}, Vec{x, 10}}) comb.push_back(p);
+    }
+    std::vector<Outline> outlines{comb};
+    for (int i = 0; i < teeth; ++i) {
+        for (const double y : {40.0, 80.0}) {
+            const Vec p{20.0 * i + y - 10 + 4, y};
+            outlines.push_back({p, p + Vec{1, 2}, p + Vec{2, 0}});
+        }
+    }
+    const Polygons shape = polygon_of(outlines);
+    const LevelFamily family = lines(0, {20, 100});
+    const LevelCut result = cut(shape[0], family);
+    ASSERT_EQ(result.pieces.size(), 1u + 2 * teeth);
+    for (std::size_t i = 1; i <= teeth; ++i) EXPECT_EQ(area(result.pieces[i]), 10 * 80 - 2 * 2) << i;
+    expect_partition(shape, family, result);
+    // Few enough faces for the short search, but with overlapping ranges.
+    const Polygons two =
+        polygon_of({{{0, 0}, {60, 0}, {160, 100}, {130, 100}, {50, 20}, {40, 20}, {120, 100}, {100, 100}},
+                    {{60, 50}, {61, 52}, {62, 50}},
+                    {{85, 50}, {86, 52}, {87, 50}}});
+    const LevelFamily above = lines(0, {25});
+    const LevelCut legs = cut(two[0], above);
+    ASSERT_EQ(legs.pieces.size(), 3u);
+    EXPECT_EQ(legs.pieces[1].ring_count(), 2u);
+    EXPECT_EQ(legs.pieces[2].ring_count(), 2u);
+    expect_partition(two, above, legs);
+}
+
+TEST(LevelCut, TooManySamplesOrPointsCutNothing) {
+    const Polygons wide = polygon_of({{{0, 0}, {1e6, 0}, {1e6, 100}, {0, 100}}});
+    LevelFamily family = lines(0, {50});
+    family.profile = {0.125, {0, 1}};  // 8 million breakpoints across the shape
+    EXPECT_EQ(cut(wide[0], family).pieces, wide);
+    const LevelRange range = level_range(wide[0], family.frame, family.profile);
+    EXPECT_EQ(range.low, -1);
+    EXPECT_EQ(range.high, 100);
+    // 400,000 breakpoints on each of 4,000 levels: 3.2 thousand million points.
+    family.profile = {2.5, {0, 0.001}};
+    family.levels.clear();
+    for (int k = 0; k < 4000; ++k) family.levels.push_back(1 + 0.02 * k);
+    EXPECT_EQ(cut(wide[0], family).pieces, wide);
+}
+
 TEST(LevelCut, ManyHolesInManyStrips) {
     // 90 x 90 holes, each within a strip or across a level, in a comb whose teeth share strips.
     std::vector<Outline> outlines{

@@ -140,8 +140,9 @@ inline std::vector<Outline> cell_shape(Draws& draws, int size, double side, bool
         for (std::size_t i = 0; i < o.size(); ++i) sum += cross(o[i], o[(i + 1) % o.size()]);
         return sum;
     };
-    std::stable_sort(outlines.begin(), outlines.end(),
-                     [&](const Outline& a, const Outline& b) { return twice_area(a) > twice_area(b); });
+    std::iter_swap(outlines.begin(),
+                   std::max_element(outlines.begin(), outlines.end(),
+                                    [&](const Outline& o, const Outline& p) { return twice_area(o) < twice_area(p); }));
     return outlines;
 }
 

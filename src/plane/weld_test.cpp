@@ -270,7 +270,9 @@ TEST(Weld, MakesPartitionsOfPartitionsWithTJunctions) {
         }
         ASSERT_EQ(weld(shuffled, tolerance), expected) << "seed " << seed;
     }
-    EXPECT_GT(inserted, 10 * case_count());
+    if (case_count() >= 100) {
+        EXPECT_GT(inserted, 10 * case_count());
+    }
 }
 
 }  // namespace

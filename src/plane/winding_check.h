@@ -9,7 +9,8 @@
 // on each other within rounding are never reported.
 // Method: boxes are halved until few edges reach one; there, a disc rolls along both sides of each edge, and
 // each stretch in which it touches no other edge is one place to count at. Cost: O(n log n) for edges spread
-// out or in clusters; quadratic only for many long edges aslant and close together.
+// out or in clusters; quadratic only for many long edges that lie aslant
+// and close together or meet at one vertex.
 #pragma once
 
 #include <cstdint>

@@ -60,21 +60,21 @@ CheckedDocument check_document(const OpenedDocument& opened) {
         if (!checked.settings->engine.empty()) checked.diagnostics.push_back(unknown_engine(*checked.settings));
         return checked;
     }
-    append(checked.diagnostics, read_styles(*checked.settings, opened.document).diagnostics());
-    Result<tangle::Grammar> grammar = tangle::read_grammar(*checked.settings, opened.document);
-    append(checked.diagnostics, grammar.diagnostics());
-    if (grammar) {
-        checked.grammar = std::move(*grammar);
-        append(checked.diagnostics, style_warnings(*checked.settings, *checked.grammar));
-    }
     // A missing file is said already; the start would only say it again.
     if (!has_errors(opened.diagnostics)) {
         Result<PlaneStart> start = make_plane_start(*checked.settings, opened.document, opened.inputs);
         append(checked.diagnostics, start.diagnostics());
         if (start) checked.start = std::move(*start);
     }
-    append(checked.diagnostics,
-           tangle::graph_warnings(*checked.settings, opened.document, start_tags(checked, opened.document)));
+    const std::vector<std::string> tags = start_tags(checked, opened.document);
+    Result<tangle::Grammar> grammar = tangle::read_grammar(*checked.settings, opened.document, tags);
+    append(checked.diagnostics, grammar.diagnostics());
+    append(checked.diagnostics, read_styles(*checked.settings, opened.document).diagnostics());
+    if (grammar) {
+        checked.grammar = std::move(*grammar);
+        append(checked.diagnostics, style_warnings(*checked.settings, *checked.grammar));
+    }
+    append(checked.diagnostics, tangle::graph_warnings(*checked.settings, opened.document, tags));
     return checked;
 }
 

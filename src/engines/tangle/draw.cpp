@@ -238,8 +238,11 @@ Canvas canvas_of(const Tangle& tangle, const Settings& settings, const Document&
     canvas.in_mm = settings.page.in_mm || unit == Unit::mm || unit == Unit::cm || unit == Unit::m;
     if (settings.page.kind == PageStatement::Kind::fit) {
         const double margin = settings.page.margin.value_or(std::max(2.0, 0.02 * std::max(extent.x, extent.y)));
-        canvas.origin = low - Vec{margin, margin};
-        canvas.size = extent + Vec{2 * margin, 2 * margin};
+        // Whole thousandths read better in files than the grid's fractions.
+        const auto down = [](double px) { return std::floor(px * 1000) / 1000; };
+        const Vec top = high + Vec{margin, margin};
+        canvas.origin = {down(low.x - margin), down(low.y - margin)};
+        canvas.size = {-down(canvas.origin.x - top.x), -down(canvas.origin.y - top.y)};
         return canvas;
     }
     canvas.size = {settings.page.width, settings.page.height};

@@ -4,33 +4,19 @@
 #include <map>
 
 #include "engines/tangle/operators/operators.h"
+#include "language/check.h"
 
 namespace filigree::tangle {
 namespace {
-
-// What a rule knows of its step, with stand-in values, so that its expressions can be checked up front.
-Scope step_names() {
-    Scope names;
-    for (const char* name : {"area", "width", "height", "count", "depth", "group"}) {
-        names.names[name] = Value{Quantity{1, 0, false}, {}};
-    }
-    names.names["area"] = Value{Quantity{1, 2, false}, {}};
-    names.names["width"] = names.names["height"] = Value{Quantity{1, 1, false}, {}};
-    return names;
-}
 
 class GrammarReader {
 public:
     GrammarReader(const Settings& settings, const Document& document) : settings_(settings), document_(document) {
         grammar_.tags.emplace_back();  // the unnamed terminal
-        step_names_ = step_names();
-        step_names_.outer = &settings_.globals;
     }
 
-    Result<Grammar> read() {
-        for (const Statement& statement : document_.statements) {
-            if (const auto* start = std::get_if<StartStatement>(&statement.node)) tag_index(start->tag.text);
-        }
+    Result<Grammar> read(std::span<const std::string> start_tags) {
+        for (const std::string& tag : start_tags) tag_index(tag);
         for (std::size_t i = 0; i < settings_.rules.size(); ++i) add_rule(*settings_.rules[i], settings_.rule_spans[i]);
         if (has_errors(diagnostics_)) return diagnostics_;
         grammar_.rules_of_tag.resize(grammar_.tags.size());
@@ -72,8 +58,8 @@ private:
                                       settings_.globals);
         append(diagnostics_, call.diagnostics());
         if (call) rule.call = std::move(*call);
-        check_expression(source.condition);
-        check_expression(source.weight);
+        if (source.condition) append(diagnostics_, check_condition(*source.condition, document_, settings_.globals));
+        if (source.weight) append(diagnostics_, check_weight(*source.weight, document_, settings_.globals));
         read_outputs(rule, source);
         grammar_.rules.push_back(std::move(rule));
     }
@@ -93,18 +79,6 @@ private:
             rule.segment = number == 1 ? name : name + "#" + std::to_string(number);
         }
         rule.key = Key{hash_text(rule.segment)};
-    }
-
-    // `when` and `weight` are evaluated for every step; names and kinds are wrong for all of them or for none.
-    void check_expression(const ExpressionPtr& expression) {
-        if (!expression) return;
-        Evaluation at;
-        at.document = &document_;
-        at.scope = &step_names_;
-        const Result<Value> value = evaluate(*expression, at);
-        for (const Diagnostic& reason : value.diagnostics()) {
-            if (reason.code != "language.not-finite") diagnostics_.push_back(reason);
-        }
     }
 
     void read_outputs(Rule& rule, const GroupRule& source) {
@@ -159,7 +133,6 @@ private:
 
     const Settings& settings_;
     const Document& document_;
-    Scope step_names_;
     Grammar grammar_;
     Diagnostics diagnostics_;
     std::map<std::string, SourceSpan> labels_;
@@ -173,8 +146,9 @@ std::uint32_t Grammar::find_tag(std::string_view name) const {
     return found == tags.end() ? none : static_cast<std::uint32_t>(found - tags.begin());
 }
 
-Result<Grammar> read_grammar(const Settings& settings, const Document& document) {
-    return GrammarReader(settings, document).read();
+Result<Grammar> read_grammar(const Settings& settings, const Document& document,
+                             std::span<const std::string> start_tags) {
+    return GrammarReader(settings, document).read(start_tags);
 }
 
 }  // namespace filigree::tangle

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,9 @@ struct Grammar {
     std::uint32_t find_tag(std::string_view name) const;
 };
 
-// The grammar of a document, and everything that is wrong with its rules. Start tags get their index too.
-Result<Grammar> read_grammar(const Settings& settings, const Document& document);
+// The grammar of a document, and everything that is wrong with its rules. The tags of the starts get their
+// index too, whether a rule matches them or not.
+Result<Grammar> read_grammar(const Settings& settings, const Document& document,
+                             std::span<const std::string> start_tags);
 
 }  // namespace filigree::tangle
