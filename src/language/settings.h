@@ -31,7 +31,7 @@ struct Settings {
     std::string engine;  // "tangle"
     SourceSpan engine_span;
     std::uint64_t seed = 0;
-    double resolution = 0.25;  // px: tolerance for flattening curves
+    double resolution = 0.1;  // px: tolerance for flattening curves
     Page page;
     Limits limits;
     std::optional<Name> symmetry;  // the group as written; the engine knows which it can

@@ -72,7 +72,9 @@ struct ExpressionUnparser {
         return result + ")";
     }
     std::string operator()(const MemberExpression& node) const {
-        return "(" + unparse(node.object) + "." + node.name + ")";
+        // `12 .a` is a member of a number, `12.a` a wrong unit.
+        const bool is_number = std::holds_alternative<NumberLiteral>(node.object->node);
+        return "(" + unparse(node.object) + (is_number ? " ." : ".") + node.name + ")";
     }
 };
 

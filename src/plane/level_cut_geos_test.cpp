@@ -112,7 +112,8 @@ TEST(LevelCutAgainstGeos, EveryStripHasItsArea) {
             const std::vector<Vec> upper = curve(family, family.levels[k + 1], reach);
             strip.insert(strip.end(), upper.rbegin(), upper.rend());
             const double expected = geos.area(geos.intersection(whole, geos.polygon({strip})));
-            EXPECT_NEAR(areas[k + 1], expected, 1e-9 * area(shape) + 1e-6) << "strip " << k;
+            // A cut's points may lie 2^-23 px off its line, over some 400 px of both sides of a strip.
+            EXPECT_NEAR(areas[k + 1], expected, 1e-9 * area(shape) + 1e-6 + 400 * 0x1p-23) << "strip " << k;
             ++strips;
         }
         if (testing::Test::HasFailure()) FAIL() << "seed " << seed;

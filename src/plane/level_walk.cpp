@@ -1,5 +1,7 @@
 #include "plane/level_walk.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace filigree {
@@ -9,6 +11,47 @@ namespace {
 std::int32_t strip_at_start(LevelCode a, LevelCode b, bool towards_greater_u) {
     const bool above = a == b ? towards_greater_u : b > a;
     return (a >> 1) + ((a & 1) != 0 && above ? 1 : 0);
+}
+
+// The nearest whole number for |x| < 2^51, without a call: the sum's last bit is worth 1, so the addition rounds.
+inline double nearest(double x) {
+    constexpr double shift = 0x1.8p52;
+    return (x + shift) - shift;
+}
+
+// The grid point for a place inside an edge. Rounding to the nearest one bends the edge, and a lattice of equal
+// pieces bends all its edges the same way, until the areas are off by more than 1e-9. So, of the eight columns
+// (for steep edges, rows) around the place, the one is taken where the edge passes nearest to a grid point. Blocks of
+// eight are fixed on the edge, so that places keep their order.
+// `rise_of_phi` is how much phi changes along the whole edge: no point leaves its level by more than 2^-22 px.
+Point point_on_edge(Point a, Point b, double fraction, double rise_of_phi) {
+    constexpr std::int64_t block = 8;
+    constexpr double reluctance = 1.0 / 512;  // of a grid unit off the edge, for a unit along it
+    constexpr double most_off_level = 0x1p-22;
+    const double dx = static_cast<double>(b.x - a.x), dy = static_cast<double>(b.y - a.y);
+    const bool steep = std::fabs(dy) > std::fabs(dx);
+    const double run = steep ? dy : dx, rise = steep ? dx : dy;
+    const double length = std::fabs(run);
+    const double slope = rise / length;
+    const double place = fraction * length;
+    const double most_moved = most_off_level * length / std::fabs(rise_of_phi);
+    double best = std::nearbyint(place);
+    if (rise != 0 && length < 0x1p51) {
+        const double first = static_cast<double>(static_cast<std::int64_t>(best) / block * block);
+        const double low = std::max({first, place - most_moved, 1.0});
+        const double high = std::min({first + double{block - 1}, place + most_moved, length - 1});
+        double least = std::numeric_limits<double>::infinity();
+        for (double at = first; at < first + double{block}; ++at) {
+            const double level = at * slope;
+            const double cost = std::fabs(level - nearest(level)) + reluctance * std::fabs(at - place);
+            if (cost < least && at >= low && at <= high) {
+                least = cost;
+                best = at;
+            }
+        }
+    }
+    const std::int64_t along = round_to_grid(run < 0 ? -best : best), across = round_to_grid(best * slope);
+    return steep ? Point{a.x + across, a.y + along} : Point{a.x + along, a.y + across};
 }
 
 }  // namespace
@@ -135,7 +178,7 @@ void LevelWalker::walk_straight(const LevelCorner& from, const LevelCorner& to) 
     const LevelCorner& b = forward ? to : from;
     const double rise = 1 / (b.phi - a.phi);
     walk_stretch(from.code, to.code, to.u > from.u,
-                 [&](std::int32_t k) { add_inside(a, b, (field_->level(k) - a.phi) * rise); });
+                 [&](std::int32_t k) { add_inside(a, b, (field_->level(k) - a.phi) * rise, 1 / rise); });
 }
 
 void LevelWalker::walk_bent(const LevelCorner& from, const LevelCorner& to) {
@@ -165,10 +208,10 @@ void LevelWalker::walk_bent(const LevelCorner& from, const LevelCorner& to) {
             continue;
         }
         // A breakpoint on a level becomes a point of the ring, seen from either side of the edge.
-        if (j > 0 && (start.code & 1) != 0) add_inside(a, b, start.fraction);
         const double rise = (high.fraction - low.fraction) / (high.phi - low.phi);
+        if (j > 0 && (start.code & 1) != 0) add_inside(a, b, start.fraction, 1 / rise);
         walk_stretch(start.code, end.code, rightwards,
-                     [&](std::int32_t k) { add_inside(a, b, low.fraction + (field_->level(k) - low.phi) * rise); });
+                     [&](std::int32_t k) { add_inside(a, b, low.fraction + (field_->level(k) - low.phi) * rise, 1 / rise); });
     }
 }
 
@@ -190,10 +233,8 @@ void LevelWalker::sample(const LevelCorner& a, const LevelCorner& b, NodeRange n
     *out = {b.u, 1, b.phi, b.code};
 }
 
-inline void LevelWalker::add_inside(const LevelCorner& a, const LevelCorner& b, double fraction) {
-    const double dx = static_cast<double>(b.point.x - a.point.x), dy = static_cast<double>(b.point.y - a.point.y);
-    add_point({a.point.x + round_to_grid(fraction * dx), a.point.y + round_to_grid(fraction * dy)},
-              a.u + fraction * (b.u - a.u));
+inline void LevelWalker::add_inside(const LevelCorner& a, const LevelCorner& b, double fraction, double rise_of_phi) {
+    add_point(point_on_edge(a.point, b.point, fraction, rise_of_phi), a.u + fraction * (b.u - a.u));
 }
 
 }  // namespace filigree

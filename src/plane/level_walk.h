@@ -60,7 +60,7 @@ private:
     template <class AddPoint>
     void walk_stretch(LevelCode a, LevelCode b, bool towards_greater_u, AddPoint&& add_point_at);
     void pass(LevelCode code, std::int32_t strip);
-    void add_inside(const LevelCorner& a, const LevelCorner& b, double fraction);
+    void add_inside(const LevelCorner& a, const LevelCorner& b, double fraction, double rise_of_phi);
     void add_point(Point p, double u);
     std::uint32_t last_place() const { return static_cast<std::uint32_t>(trail_.points.size() - 1); }
 

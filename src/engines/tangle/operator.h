@@ -23,7 +23,7 @@ struct OperatorInput {
     const Arguments& arguments;
     std::uint64_t seed = 0;
     Key step;                         // of this step: where inner choices hang
-    double resolution = 0.25;         // px: tolerance of curves
+    double resolution = 0.1;          // px: tolerance of curves
     std::uint64_t element_budget = 0;  // more new shapes than this are refused
     Executor& executor;
 };
