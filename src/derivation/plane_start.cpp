@@ -147,6 +147,17 @@ std::optional<Diagnostic> open_subpath(const std::vector<Polyline>& outlines, co
     return std::nullopt;
 }
 
+// Outlines off the plane would be dropped without a word when they are cleaned.
+std::optional<Diagnostic> off_plane(const std::vector<Polyline>& outlines) {
+    for (const Polyline& outline : outlines) {
+        for (const Vec& point : outline.points) {
+            if (is_on_plane(point)) continue;
+            return error("start.off-plane", "the start reaches farther than 2^30 px from the origin");
+        }
+    }
+    return std::nullopt;
+}
+
 bool has_id(const SvgShape& shape, std::string_view id) {
     return shape.id == id || std::find(shape.groups.begin(), shape.groups.end(), id) != shape.groups.end();
 }
@@ -311,9 +322,11 @@ private:
             if (!shapes) return refuse(shapes.diagnostics(), whole);
             const Transform to_size = scaled_to_width(*shapes, arguments.number("width"));
             for (const SvgShape* shape : *shapes) {
-                pieces.push_back({clean(flatten(transformed(shape->path, to_size), settings_.resolution),
-                                        shape->fill_rule),
-                                  start.tag.text, child(key, pieces.size()), number});
+                const std::vector<Polyline> outlines =
+                    flatten(transformed(shape->path, to_size), settings_.resolution);
+                if (auto off = off_plane(outlines)) return refuse({*off}, whole);
+                pieces.push_back(
+                    {clean(outlines, shape->fill_rule), start.tag.text, child(key, pieces.size()), number});
             }
         } else if (name == "path") {
             const Result<Path> path = parse_path_data(std::get<std::string>(arguments.value("data").data));
@@ -328,6 +341,7 @@ private:
             const std::vector<Polyline> outlines =
                 flatten(transformed(*path, scaling(scale, scale)), settings_.resolution);
             if (auto open = open_subpath(outlines, "the start")) return refuse({*open}, whole);
+            if (auto off = off_plane(outlines)) return refuse({*off}, whole);
             pieces.push_back({clean(outlines, FillRule::even_odd), start.tag.text, child(key, 0), number});
         } else {
             std::vector<Polyline> outlines = built_in_outline(arguments, settings_.resolution);
@@ -335,6 +349,7 @@ private:
             for (Polyline& outline : outlines) {
                 for (Vec& point : outline.points) point = point + at;
             }
+            if (auto off = off_plane(outlines)) return refuse({*off}, whole);
             pieces.push_back({clean(outlines, FillRule::nonzero), start.tag.text, child(key, 0), number});
         }
         accept(std::move(pieces), overlap, whole);
