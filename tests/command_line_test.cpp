@@ -38,8 +38,11 @@ TEST(CommandLine, RendersTheReadmesExample) {
 
 TEST(CommandLine, AnExportedSvgOpensAgainToTheSameBytes) {
     const TestFolder folder;
-    ASSERT_EQ(run_program("render " + leaf + " --seed 77 -o " + folder / "one.svg" + " -o " + folder / "one.png").status, 0);
-    ASSERT_EQ(run_program("render " + folder / "one.svg" + " -o " + folder / "two.svg" + " -o " + folder / "two.png").status, 0);
+    ASSERT_EQ(
+        run_program("render " + leaf + " --seed 77 -o " + folder / "one.svg" + " -o " + folder / "one.png").status, 0);
+    ASSERT_EQ(
+        run_program("render " + folder / "one.svg" + " -o " + folder / "two.svg" + " -o " + folder / "two.png").status,
+        0);
     EXPECT_EQ(folder.read("one.svg"), folder.read("two.svg"));
     EXPECT_EQ(folder.read("one.png"), folder.read("two.png"));
     EXPECT_NE(folder.read("one.svg").find("seed 77"), std::string::npos);
@@ -64,10 +67,13 @@ TEST(CommandLine, SetEditsTheParamLineAndNothingElse) {
 TEST(CommandLine, Statuses) {
     const TestFolder folder;
     const std::string good = folder.write("good.fil", small_document);
-    const std::string wrong = folder.write("wrong.fil", "grammar tangle\nstart a = circle(60)\noutlin(3) : a -> b, c\n");
+    const std::string wrong =
+        folder.write("wrong.fil", "grammar tangle\nstart a = circle(60)\noutlin(3) : a -> b, c\n");
     const std::string missing = folder.write("missing.fil", "grammar tangle\nstart a = file(\"none.svg\")\n");
-    const std::string large = folder.write("large.fil", "grammar tangle\nlimit elements 100\nstart a = circle(60)\nregular_split(line, 0.1) : a -> b\n");
-    const std::string endless = folder.write("endless.fil", "grammar tangle\nstart a = circle(60)\nungroup() : a -> a\n");
+    const std::string large = folder.write(
+        "large.fil", "grammar tangle\nlimit elements 100\nstart a = circle(60)\nregular_split(line, 0.1) : a -> b\n");
+    const std::string endless =
+        folder.write("endless.fil", "grammar tangle\nstart a = circle(60)\nungroup() : a -> a\n");
     const std::string out = " -o " + folder / "out.svg";
     EXPECT_EQ(run_program("render " + good + out).status, 0);
     std::filesystem::remove(folder / "out.svg");
@@ -88,9 +94,12 @@ TEST(CommandLine, Statuses) {
 
 TEST(CommandLine, WhatADocumentReadsIsNeverOverwritten) {
     const TestFolder folder;
-    const std::string picture = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100\" height=\"100\"><rect width=\"80\" height=\"80\"/></svg>";
+    const std::string picture =
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100\" height=\"100\"><rect width=\"80\" "
+        "height=\"80\"/></svg>";
     folder.write("start.svg", picture);
-    const std::string document = folder.write("a.fil", "grammar tangle\nstart a = file(\"start.svg\")\nregular_split(9) : a -> b\n");
+    const std::string document =
+        folder.write("a.fil", "grammar tangle\nstart a = file(\"start.svg\")\nregular_split(9) : a -> b\n");
     const Ran ran = run_program("render " + document + " -o " + folder / "start.svg");
     EXPECT_EQ(ran.status, 2) << ran.out;
     EXPECT_EQ(folder.read("start.svg"), picture);

@@ -10,7 +10,8 @@ namespace {
 
 TEST(Examples, RenderVerifiedWithoutAWord) {
     int examples = 0;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(std::string(FILIGREE_SOURCE_DIR) + "/examples")) {
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(std::string(FILIGREE_SOURCE_DIR) + "/examples")) {
         if (entry.path().extension() != ".fil") continue;
         ++examples;
         const TestFolder folder;
@@ -20,7 +21,10 @@ TEST(Examples, RenderVerifiedWithoutAWord) {
         EXPECT_EQ(ran.out, "") << entry.path();
         EXPECT_EQ(nlohmann::json::parse(folder.read("a.json"))["verified"], true);
         for (const char* colours : {"tag", "group", "step"}) {
-            EXPECT_EQ(run_program("render " + entry.path().string() + " --colour-by " + colours + " -o " + folder / "b.svg").status, 0);
+            EXPECT_EQ(
+                run_program("render " + entry.path().string() + " --colour-by " + colours + " -o " + folder / "b.svg")
+                    .status,
+                0);
         }
     }
     EXPECT_GE(examples, 3);

@@ -82,7 +82,8 @@ TEST(RegularSplit, FitStretchesToWholeStrips) {
 }
 
 TEST(RegularSplit, OffsetsCycle) {
-    const auto grown = grow("start a = rectangle(60, 90)\nregular_split(line, [10, 20], angle: 0, fit: true) : a -> b\n");
+    const auto grown =
+        grow("start a = rectangle(60, 90)\nregular_split(line, [10, 20], angle: 0, fit: true) : a -> b\n");
     const std::vector<tangle::Shape>& strips = grown->groups("b").front()->shapes;
     ASSERT_EQ(strips.size(), 6U);
     for (std::size_t i = 0; i < 6; ++i) {
@@ -172,12 +173,15 @@ TEST(Stipple, DotsAreMarksAndTheGroundStaysWhole) {
 }
 
 TEST(Grouping, UngroupGivesEveryShapeAGroup) {
-    const auto grown = grow("start a = rectangle(100, 100)\nregular_split(line, 20, angle: 0) : a -> b\nungroup() : b -> c\n");
+    const auto grown =
+        grow("start a = rectangle(100, 100)\nregular_split(line, 20, angle: 0) : a -> b\nungroup() : b -> c\n");
     EXPECT_EQ(grown->groups("c").size(), grown->shapes("b"));
 }
 
 TEST(Grouping, RegroupById) {
-    const auto grown = grow("start a = rectangle(100, 100)\nregular_split(line, 20, angle: 0, fit: true) : a -> b\nregroup(3, by: id) : b -> c\n");
+    const auto grown = grow(
+        "start a = rectangle(100, 100)\nregular_split(line, 20, angle: 0, fit: true) : a -> b\nregroup(3, by: id) : b "
+        "-> c\n");
     ASSERT_EQ(grown->groups("c").size(), 3U);
     EXPECT_EQ(grown->groups("c")[0]->shapes.size(), 2U);
     EXPECT_EQ(grown->groups("c")[2]->shapes.size(), 1U);
@@ -197,16 +201,19 @@ TEST(Rules, WeightsDecideHowOften) {
     int first = 0;
     const int draws = 2000;
     for (int seed = 0; seed < draws; ++seed) {
-        const auto grown = grow("seed " + std::to_string(seed) +
-                                "\nstart a = rectangle(10, 10)\none = invert() : a weight 3 -> b\ntwo = invert() : a -> c\n");
+        const auto grown =
+            grow("seed " + std::to_string(seed) +
+                 "\nstart a = rectangle(10, 10)\none = invert() : a weight 3 -> b\ntwo = invert() : a -> c\n");
         first += grown->shapes("b") == 1 ? 1 : 0;
     }
     EXPECT_NEAR(first, 0.75 * draws, 4 * std::sqrt(draws * 0.75 * 0.25));
 }
 
 TEST(Rules, AnAppendedRuleChangesOnlyTheDrawsThatItWins) {
-    const std::string head = "start a = rectangle(400, 400)\nregular_split(line, 20, dual: true, angle: 0, fit: true) : a -> cell\nungroup() : cell -> c\n"
-                             "one = invert() : c -> x\ntwo = invert() : c weight 2 -> y\n";
+    const std::string head =
+        "start a = rectangle(400, 400)\nregular_split(line, 20, dual: true, angle: 0, fit: true) : a -> "
+        "cell\nungroup() : cell -> c\n"
+        "one = invert() : c -> x\ntwo = invert() : c weight 2 -> y\n";
     const auto before = grow(head), after = grow(head + "three = invert() : c weight 1 -> z\n");
     int changed = 0, total = 0;
     for (std::size_t s = 0; s < before->tangle.steps.size(); ++s) {
@@ -228,16 +235,19 @@ TEST(Starts, LaterOnesCoverEarlierOnes) {
 }
 
 TEST(Starts, UnionSwallowsItsOwnTag) {
-    const auto grown = grow("start a = rectangle(100, 100)\nstart a = rectangle(100, 100, at: (50, 0), overlap: union)\n");
+    const auto grown =
+        grow("start a = rectangle(100, 100)\nstart a = rectangle(100, 100, at: (50, 0), overlap: union)\n");
     EXPECT_EQ(grown->shapes("a"), 1U);
     EXPECT_NEAR(grown->area_of("a"), 15000, 1e-6);
 }
 
 TEST(Starts, LayersOfAnSvgBecomeTags) {
     const std::string svg =
-        "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'><g id='hair'><rect width='40' height='20'/></g>"
+        "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'><g id='hair'><rect width='40' "
+        "height='20'/></g>"
         "<g id='face'><circle cx='60' cy='60' r='30'/></g></svg>";
-    const OpenedDocument opened = open_text("a.fil", "grammar tangle\nstart from \"p.svg\"\noutline(2) : hair -> b, c\n", {{"p.svg", svg}});
+    const OpenedDocument opened =
+        open_text("a.fil", "grammar tangle\nstart from \"p.svg\"\noutline(2) : hair -> b, c\n", {{"p.svg", svg}});
     const CheckedDocument checked = check_document(opened);
     ASSERT_FALSE(has_errors(checked.diagnostics)) << to_text(checked.diagnostics, opened.document.sources);
     ASSERT_EQ(checked.start->groups.size(), 2U);

@@ -40,9 +40,9 @@ TEST(PublishedGrammars, GraphsHaveTheFiguresOfTheDefinition) {
     struct Figures {
         std::size_t nodes, edges, longest_path;
     };
-    const std::map<std::string, Figures> expected = {{"Tree", {22, 23, 7}},    {"Albert", {25, 30, 6}},
-                                                     {"Tiger", {33, 29, 6}},   {"Teaser", {37, 42, 8}},
-                                                     {"Leaf", {12, 11, 7}},    {"Figure 10", {28, 42, 7}}};
+    const std::map<std::string, Figures> expected = {{"Tree", {22, 23, 7}},  {"Albert", {25, 30, 6}},
+                                                     {"Tiger", {33, 29, 6}}, {"Teaser", {37, 42, 8}},
+                                                     {"Leaf", {12, 11, 7}},  {"Figure 10", {28, 42, 7}}};
     const auto grammars = published();
     for (const auto& [name, figures] : expected) {
         const OpenedDocument opened = open_text(name, grammars.at(name), {});

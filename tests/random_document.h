@@ -64,13 +64,19 @@ private:
     std::string start() {
         const std::string tag = "start t0 = ";
         switch (whole(8)) {
-            case 0: return tag + "rectangle(" + number(60, 200) + "px, " + number(60, 200) + "px)\n";
-            case 1: return tag + "circle(" + number(40, 100) + "px)\n";
-            case 2: return tag + "star(" + std::to_string(3 + whole(9)) + ", " + number(60, 110) + "px, " + number(20, 50) + "px)\n";
+            case 0:
+                return tag + "rectangle(" + number(60, 200) + "px, " + number(60, 200) + "px)\n";
+            case 1:
+                return tag + "circle(" + number(40, 100) + "px)\n";
+            case 2:
+                return tag + "star(" + std::to_string(3 + whole(9)) + ", " + number(60, 110) + "px, " + number(20, 50) +
+                       "px)\n";
             case 3:  // overlapping starts: the later covers the earlier
-                return tag + "circle(60px)\n" + "start t0 = rectangle(100px, 50px, at: (" + number(-40, 40) + "px, " + number(-40, 40) + "px))\n";
+                return tag + "circle(60px)\n" + "start t0 = rectangle(100px, 50px, at: (" + number(-40, 40) + "px, " +
+                       number(-40, 40) + "px))\n";
             case 4:  // self-crossing outlines and the even-odd rule
-                return tag + "path(\"" + ring(0, 0, 80, 5 + static_cast<int>(whole(20)), 0.9) + ring(20, 10, 60, 7, 0.8) + "\")\n";
+                return tag + "path(\"" + ring(0, 0, 80, 5 + static_cast<int>(whole(20)), 0.9) +
+                       ring(20, 10, 60, 7, 0.8) + "\")\n";
             default: {
                 std::string data = ring(0, 0, real(60, 110), 6 + static_cast<int>(whole(60)), 0.25);
                 const int holes = static_cast<int>(whole(4));
@@ -85,7 +91,8 @@ private:
 
     std::string rule(int level, int levels) {
         const auto next = [&] {
-            const int skipped = whole(4) != 0 ? 0 : static_cast<int>(whole(static_cast<std::uint32_t>(levels - level + 1)));
+            const int skipped =
+                whole(4) != 0 ? 0 : static_cast<int>(whole(static_cast<std::uint32_t>(levels - level + 1)));
             return "t" + std::to_string(level + 1 + skipped);
         };
         const std::string here = " : t" + std::to_string(level);
@@ -95,11 +102,13 @@ private:
         const double scale = level == 0 ? 1 : level == 1 ? 0.5 : 0.3;
         const auto size = [&](double low, double high) {
             std::string text;  // whole numbers now and then, but never 0
-            append_fixed(text, std::max(0.25, real(low * scale, high * scale)), whole(4) == 0 && low * scale > 1 ? 0 : 3);
+            append_fixed(text, std::max(0.25, real(low * scale, high * scale)),
+                         whole(4) == 0 && low * scale > 1 ? 0 : 3);
             return text + "px";
         };
-        static constexpr const char* angles[] = {"", ", angle: keep", ", angle: across", ", angle: axis", ", angle: 0",
-                                                 ", angle: 45", ", angle: turn(30)", ", angle: towards((0, 0))"};
+        static constexpr const char* angles[] = {
+            "",           ", angle: keep", ", angle: across",   ", angle: axis",
+            ", angle: 0", ", angle: 45",   ", angle: turn(30)", ", angle: towards((0, 0))"};
         const std::string angle = angles[whole(8)];
         switch (whole(11)) {
             case 0:
@@ -114,15 +123,29 @@ private:
                 if (whole(5) == 0) call += ", anchor: " + std::string(whole(2) == 0 ? "group" : "page");
                 return call + ")" + here + suffix + " -> " + next() + "\n";
             }
-            case 2: return "regular_split(line, [" + size(6, 20) + ", " + size(3, 15) + "], " + (whole(2) == 0 ? "1" : "0") + angle + ")" + here + suffix + " -> " + next() + "\n";
-            case 3: return "outline(" + size(1, 14) + (whole(3) == 0 ? ", join: round" : "") + ")" + here + suffix + " -> " + next() + ", " + next() + "\n";
-            case 4: return "outline(each(" + size(1, 4) + ".." + size(5, 9) + "))" + here + suffix + " -> " + next() + ", " + next() + "\n";
-            case 5: return "place(" + std::string(whole(2) == 0 ? "blob, " : "") + size(6, 20) + ", " + size(8, 40) + ")" + here + suffix + " -> " + next() + ", " + next() + "\n";
-            case 6: return "ungroup()" + here + suffix + " -> " + next() + "\n";
-            case 7: return "regroup(" + std::to_string(1 + whole(4)) + (whole(2) == 0 ? ", by: id" : "") + ")" + here + suffix + " -> " + next() + "\n";
-            case 8: return "invert()" + here + suffix + " -> " + next() + "\n";
-            case 9: return "stipple(" + size(5, 12) + ")" + here + suffix + " -> " + next() + ", <>\n";
-            default: return "regular_split(" + size(5, 25) + angle + ")" + here + suffix + " -> " + next() + "\n";
+            case 2:
+                return "regular_split(line, [" + size(6, 20) + ", " + size(3, 15) + "], " +
+                       (whole(2) == 0 ? "1" : "0") + angle + ")" + here + suffix + " -> " + next() + "\n";
+            case 3:
+                return "outline(" + size(1, 14) + (whole(3) == 0 ? ", join: round" : "") + ")" + here + suffix +
+                       " -> " + next() + ", " + next() + "\n";
+            case 4:
+                return "outline(each(" + size(1, 4) + ".." + size(5, 9) + "))" + here + suffix + " -> " + next() +
+                       ", " + next() + "\n";
+            case 5:
+                return "place(" + std::string(whole(2) == 0 ? "blob, " : "") + size(6, 20) + ", " + size(8, 40) + ")" +
+                       here + suffix + " -> " + next() + ", " + next() + "\n";
+            case 6:
+                return "ungroup()" + here + suffix + " -> " + next() + "\n";
+            case 7:
+                return "regroup(" + std::to_string(1 + whole(4)) + (whole(2) == 0 ? ", by: id" : "") + ")" + here +
+                       suffix + " -> " + next() + "\n";
+            case 8:
+                return "invert()" + here + suffix + " -> " + next() + "\n";
+            case 9:
+                return "stipple(" + size(5, 12) + ")" + here + suffix + " -> " + next() + ", <>\n";
+            default:
+                return "regular_split(" + size(5, 25) + angle + ")" + here + suffix + " -> " + next() + "\n";
         }
     }
 

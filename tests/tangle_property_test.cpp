@@ -81,8 +81,10 @@ TEST(TangleProperty, AnotherSeedChangesThePicture) {
     for (std::uint64_t seed = 0; seed < count; ++seed) {
         const std::string tail = "start a = circle(80)\nplace(5..20, 25) : a -> b, c\nregular_split(9) : c -> d\n";
         const OpenedDocument one = open_text("a.fil", "grammar tangle\nseed " + std::to_string(seed) + "\n" + tail, {});
-        const OpenedDocument two = open_text("a.fil", "grammar tangle\nseed " + std::to_string(seed + count) + "\n" + tail, {});
-        const auto first = derived(one, check_document(one), serial), second = derived(two, check_document(two), serial);
+        const OpenedDocument two =
+            open_text("a.fil", "grammar tangle\nseed " + std::to_string(seed + count) + "\n" + tail, {});
+        const auto first = derived(one, check_document(one), serial),
+                   second = derived(two, check_document(two), serial);
         ASSERT_TRUE(first && second);
         if (*first->geometry.back() != *second->geometry.back()) ++changed;
     }
@@ -93,11 +95,13 @@ TEST(TangleProperty, RenamingATagChangesNoPicture) {
     SerialExecutor serial;
     for (std::uint64_t seed = 0; seed < 30; ++seed) {
         std::string text = "grammar tangle\nseed " + std::to_string(seed) +
-                           "\nstart a = circle(80)\nplace(10, 25) : a -> blob, rest\nregular_split(9) : rest -> d\noutline(2) : rest -> e, f\n";
+                           "\nstart a = circle(80)\nplace(10, 25) : a -> blob, rest\nregular_split(9) : rest -> "
+                           "d\noutline(2) : rest -> e, f\n";
         const OpenedDocument one = open_text("a.fil", text, {});
         for (std::size_t at; (at = text.find("rest")) != std::string::npos;) text.replace(at, 4, "sea");
         const OpenedDocument two = open_text("a.fil", text, {});
-        const auto first = derived(one, check_document(one), serial), second = derived(two, check_document(two), serial);
+        const auto first = derived(one, check_document(one), serial),
+                   second = derived(two, check_document(two), serial);
         ASSERT_TRUE(first && second);
         expect_prefix(*first, *second);
     }
@@ -106,14 +110,18 @@ TEST(TangleProperty, RenamingATagChangesNoPicture) {
 TEST(TangleProperty, ARuleThatNeverFiresChangesNothing) {
     SerialExecutor serial;
     for (std::uint64_t seed = 0; seed < 30; ++seed) {
-        const std::string text = "grammar tangle\nseed " + std::to_string(seed) +
-                                 "\nstart a = circle(80)\nplace(10, 25) : a -> blob, rest\nregular_split(9) : rest -> d\n";
+        const std::string text =
+            "grammar tangle\nseed " + std::to_string(seed) +
+            "\nstart a = circle(80)\nplace(10, 25) : a -> blob, rest\nregular_split(9) : rest -> d\n";
         const OpenedDocument one = open_text("a.fil", text, {});
-        const OpenedDocument two = open_text("a.fil", text + "never = outline(3) : rest when count > 1000 -> x, y\n", {});
-        const auto first = derived(one, check_document(one), serial), second = derived(two, check_document(two), serial);
+        const OpenedDocument two =
+            open_text("a.fil", text + "never = outline(3) : rest when count > 1000 -> x, y\n", {});
+        const auto first = derived(one, check_document(one), serial),
+                   second = derived(two, check_document(two), serial);
         ASSERT_TRUE(first && second);
         ASSERT_EQ(first->groups.size(), second->groups.size());
-        for (std::size_t g = 0; g < first->groups.size(); ++g) EXPECT_EQ(first->groups[g].shapes, second->groups[g].shapes);
+        for (std::size_t g = 0; g < first->groups.size(); ++g)
+            EXPECT_EQ(first->groups[g].shapes, second->groups[g].shapes);
     }
 }
 

@@ -8,7 +8,7 @@
 namespace filigree {
 
 struct Input {
-    std::string name;   // as the document names it
+    std::string name;  // as the document names it
     std::string bytes;
 
     bool operator==(const Input&) const = default;

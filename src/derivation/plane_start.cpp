@@ -4,8 +4,8 @@
 #include <limits>
 #include <set>
 
-#include "base/elementary.h"
 #include "base/unicode.h"
+#include "derivation/start_shapes.h"
 #include "formats/svg_read.h"
 #include "language/bind.h"
 #include "plane/clean.h"
@@ -13,8 +13,6 @@
 
 namespace filigree {
 namespace {
-
-constexpr double largest_px = 0x1p30;
 
 // One shape as a start gives it, before overlaps are resolved.
 struct Piece {
@@ -26,116 +24,9 @@ struct Piece {
 
 using Pieces = Result<std::vector<Piece>>;
 
-ParameterDescription size_parameter(std::string_view name, std::string_view help) {
-    return {.name = name, .type = ParameterType::length, .help = help, .low = 1, .high = largest_px};
-}
-ParameterDescription at_parameter() {
-    return {.name = "at",
-            .type = ParameterType::point,
-            .help = "where its centre lies",
-            .default_text = "(0, 0)"};
-}
-ParameterDescription overlap_parameter() {
-    return {.name = "overlap",
-            .type = ParameterType::word,
-            .help = "what happens to earlier starts below it: covered, united with those of its tag, or refused",
-            .default_text = "top",
-            .words = {"top", "union", "error"}};
-}
-
-std::vector<OperatorDescription> make_descriptions() {
-    std::vector<OperatorDescription> all;
-    const auto add = [&](std::string_view name, std::string_view help, std::vector<ParameterDescription> parameters,
-                         std::string_view example) {
-        parameters.push_back(overlap_parameter());
-        all.push_back({.name = name,
-                       .help = help,
-                       .source = "gTangle, section 3",
-                       .parameters = std::move(parameters),
-                       .ports = {},
-                       .example = example});
-    };
-    add("rectangle", "a rectangle",
-        {size_parameter("width", "from left to right"), size_parameter("height", "from top to bottom"), at_parameter()},
-        "start big_poly = rectangle(400, 300)");
-    add("circle", "a circle", {size_parameter("radius", "from the centre to the border"), at_parameter()},
-        "start big_poly = circle(200)");
-    add("ellipse", "an ellipse",
-        {size_parameter("rx", "half its width"), size_parameter("ry", "half its height"), at_parameter()},
-        "start big_poly = ellipse(240, 160)");
-    add("polygon", "a regular polygon, a corner at the top",
-        {{.name = "sides", .type = ParameterType::whole, .help = "how many sides", .low = 3, .high = 1000},
-         size_parameter("radius", "from the centre to the corners"), at_parameter()},
-        "start big_poly = polygon(6, 200)");
-    add("star", "a star, a tip at the top",
-        {{.name = "points", .type = ParameterType::whole, .help = "how many tips", .low = 3, .high = 1000},
-         size_parameter("outer", "from the centre to the tips"), size_parameter("inner", "from the centre to the notches"),
-         at_parameter()},
-        "start big_poly = star(5, 200, 90)");
-    add("path", "SVG path data, filled by the even-odd rule; every subpath closed",
-        {{.name = "data", .type = ParameterType::text, .help = "as in the attribute d"},
-         {.name = "scale",
-          .type = ParameterType::real,
-          .help = "factor of its coordinates",
-          .default_text = "1",
-          .low = 1e-6,
-          .high = 1e6}},
-        "start big_poly = path(\"M 0 0 H 300 V 200 H 0 Z\")");
-    add("file", "the filled shapes of an SVG file, or those of one element",
-        {{.name = "name", .type = ParameterType::text, .help = "the file, beside the document or below it"},
-         {.name = "id",
-          .type = ParameterType::text,
-          .help = "take only the element or group with this id",
-          .default_text = "\"\""},
-         {.name = "width",
-          .type = ParameterType::length,
-          .help = "scale it to this width; 0 keeps its size",
-          .default_text = "0px",
-          .low = 0,
-          .high = largest_px}},
-        "start big_poly = file(\"leaf.svg\", id: \"outline\", width: 120mm)");
-    return all;
-}
-
 Diagnostic at_span(Diagnostic diagnostic, SourceSpan span) {
     if (diagnostic.span.file == SourceSpan::no_file) diagnostic.span = span;
     return diagnostic;
-}
-
-Polyline ring_of_corners(std::size_t count, double first_radius, double second_radius) {
-    Polyline ring{.points = {}, .closed = true};
-    ring.points.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const double angle = 360.0 * static_cast<double>(i) / static_cast<double>(count) - 90.0;
-        const elementary::CosSin turn = elementary::cos_sin_degrees(angle);
-        const double radius = i % 2 == 0 ? first_radius : second_radius;
-        ring.points.push_back({radius * turn.cos, radius * turn.sin});
-    }
-    return ring;
-}
-
-Polyline ellipse_outline(double rx, double ry, double tolerance) {
-    Path path;
-    path.verbs = {Verb::move, Verb::arc, Verb::arc, Verb::close};
-    path.points = {{rx, 0}, {rx, ry}, {0, 2}, {-rx, 0}, {rx, ry}, {0, 2}, {rx, 0}};
-    return flatten(path, tolerance).front();
-}
-
-// A built-in shape as outlines around the origin.
-std::vector<Polyline> built_in_outline(const Arguments& arguments, double tolerance) {
-    const std::string_view name = arguments.description->name;
-    if (name == "rectangle") {
-        const double x = arguments.number("width") / 2, y = arguments.number("height") / 2;
-        return {{.points = {{-x, -y}, {x, -y}, {x, y}, {-x, y}}, .closed = true}};
-    }
-    if (name == "circle") return {ellipse_outline(arguments.number("radius"), arguments.number("radius"), tolerance)};
-    if (name == "ellipse") return {ellipse_outline(arguments.number("rx"), arguments.number("ry"), tolerance)};
-    if (name == "polygon") {
-        const double radius = arguments.number("radius");
-        return {ring_of_corners(static_cast<std::size_t>(arguments.number("sides")), radius, radius)};
-    }
-    return {ring_of_corners(2 * static_cast<std::size_t>(arguments.number("points")), arguments.number("outer"),
-                            arguments.number("inner"))};
 }
 
 std::optional<Diagnostic> open_subpath(const std::vector<Polyline>& outlines, const std::string& what) {
@@ -186,16 +77,15 @@ Result<std::vector<const SvgShape*>> chosen_shapes(const SvgPicture& picture, co
     if (named.empty() && !id.empty()) return no_such_id(file, id, picture);
     if (!filled.empty()) return filled;
     for (const SvgShape* shape : named) {
-        const std::string what = shape->id.empty() ? "'" + file + "'" : "the element '" + shape->id + "' of '" + file + "'";
+        const std::string what =
+            shape->id.empty() ? "'" + file + "'" : "the element '" + shape->id + "' of '" + file + "'";
         if (auto open = open_subpath(flatten(shape->path, 1), what)) return *open;
     }
     return named;
 }
 
-const Input* input_or_null(const Inputs& inputs, const std::string& name) { return find_input(inputs, name); }
-
 Result<SvgPicture> picture_of(const Inputs& inputs, const std::string& name, SourceSpan span) {
-    const Input* input = input_or_null(inputs, name);
+    const Input* input = find_input(inputs, name);
     if (input == nullptr) {
         return error("input.missing", "the file '" + name + "' cannot be read", span,
                      {"files are looked up beside the document"});
@@ -206,11 +96,11 @@ Result<SvgPicture> picture_of(const Inputs& inputs, const std::string& name, Sou
     for (Diagnostic reason : picture.diagnostics()) {
         reason.message = "in '" + name + "': " + reason.message;
         if (reason.span.file == SourceSpan::no_file) {
-            const LineColumn place = line_column(input->bytes, std::min<std::uint32_t>(
-                                                                   reason.span.begin,
-                                                                   static_cast<std::uint32_t>(input->bytes.size())));
-            reason.message = "in '" + name + "', line " + std::to_string(place.line) + ": " +
-                             reason.message.substr(name.size() + 7);
+            const LineColumn place = line_column(
+                input->bytes,
+                std::min<std::uint32_t>(reason.span.begin, static_cast<std::uint32_t>(input->bytes.size())));
+            reason.message =
+                "in '" + name + "', line " + std::to_string(place.line) + ": " + reason.message.substr(name.size() + 7);
         }
         reason.span = span;
         reasons.push_back(std::move(reason));
@@ -315,15 +205,13 @@ private:
             const Result<SvgPicture> picture = picture_of(inputs_, file, whole);
             if (!picture) return refuse(picture.diagnostics(), whole);
             for (const Diagnostic& note : picture.diagnostics()) {
-                diagnostics_.push_back(warning(note.code, "in '" + file + "': " + note.message,
-                                               whole, note.hints));
+                diagnostics_.push_back(warning(note.code, "in '" + file + "': " + note.message, whole, note.hints));
             }
             const auto shapes = chosen_shapes(*picture, file, id);
             if (!shapes) return refuse(shapes.diagnostics(), whole);
             const Transform to_size = scaled_to_width(*shapes, arguments.number("width"));
             for (const SvgShape* shape : *shapes) {
-                const std::vector<Polyline> outlines =
-                    flatten(transformed(shape->path, to_size), settings_.resolution);
+                const std::vector<Polyline> outlines = flatten(transformed(shape->path, to_size), settings_.resolution);
                 if (auto off = off_plane(outlines)) return refuse({*off}, whole);
                 pieces.push_back(
                     {clean(outlines, shape->fill_rule), start.tag.text, child(key, pieces.size()), number});
@@ -379,10 +267,9 @@ private:
         for (const SvgShape* shape : *shapes) {
             const std::string& layer = !shape->groups.empty() ? shape->groups.front() : shape->id;
             if (layer.empty()) {
-                diagnostics_.push_back(error("start.unnamed-shape",
-                                             "'" + file.text + "' has a shape without an id or a layer", file.span,
-                                             {"give it an id, or grow from the whole file by: start big_poly = file(\"" +
-                                              file.text + "\")"}));
+                diagnostics_.push_back(error(
+                    "start.unnamed-shape", "'" + file.text + "' has a shape without an id or a layer", file.span,
+                    {"give it an id, or grow from the whole file by: start big_poly = file(\"" + file.text + "\")"}));
                 return;
             }
             pieces.push_back({clean(flatten(shape->path, settings_.resolution), shape->fill_rule), as_tag(layer),
@@ -402,9 +289,9 @@ private:
                 if (earlier.area.empty() || !overlaps(bounds(earlier.area), box)) continue;
                 if (area(intersect(earlier.area, piece.area)) <= 0) continue;
                 if (overlap == "error" && earlier.statement != piece.statement) {
-                    diagnostics_.push_back(error("start.overlap", "the start '" + piece.tag + "' overlaps the start '" +
-                                                                      earlier.tag + "'",
-                                                 span, {"overlap: top lets it cover what is below"}));
+                    diagnostics_.push_back(
+                        error("start.overlap", "the start '" + piece.tag + "' overlaps the start '" + earlier.tag + "'",
+                              span, {"overlap: top lets it cover what is below"}));
                     return;
                 }
                 if (overlap == "union" && earlier.tag == piece.tag) {
@@ -454,11 +341,6 @@ Result<PlaneStart> make_plane_start(const Settings& settings, const Document& do
     return StartBuilder(settings, document, inputs).build();
 }
 
-const std::vector<OperatorDescription>& start_shape_descriptions() {
-    static const std::vector<OperatorDescription> descriptions = make_descriptions();
-    return descriptions;
-}
-
 std::vector<Name> start_files(const Document& document) {
     std::vector<Name> files;
     const auto add = [&](const std::string& name, SourceSpan span) {
@@ -474,7 +356,8 @@ std::vector<Name> start_files(const Document& document) {
         for (const CallArgument& argument : call->arguments) {
             const auto* key = argument.key ? std::get_if<NameReference>(&argument.key->node) : nullptr;
             if (argument.key && (key == nullptr || key->name != "name")) continue;
-            if (const auto* text = std::get_if<TextLiteral>(&argument.value->node)) add(text->text, argument.value->span);
+            if (const auto* text = std::get_if<TextLiteral>(&argument.value->node))
+                add(text->text, argument.value->span);
             break;
         }
     }

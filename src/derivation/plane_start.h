@@ -12,7 +12,6 @@
 #include "base/random.h"
 #include "base/result.h"
 #include "derivation/inputs.h"
-#include "language/description.h"
 #include "language/settings.h"
 #include "plane/polygon.h"
 
@@ -36,9 +35,6 @@ struct PlaneStart {
 // Reports every start that is wrong: unknown shapes (with the nearest), missing files, open paths, ids that
 // an SVG lacks, empty results, shapes larger than the plane or smaller than a px, and starts without area.
 Result<PlaneStart> make_plane_start(const Settings& settings, const Document& document, const Inputs& inputs);
-
-// The shapes that may stand behind `start TAG =`, described like operators, for checking and for the reference.
-const std::vector<OperatorDescription>& start_shape_descriptions();
 
 // The files that the document's starts name, each once, in order, with where they are named.
 std::vector<Name> start_files(const Document& document);

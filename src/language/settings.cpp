@@ -44,7 +44,6 @@ private:
     std::map<std::string, SourceSpan, std::less<>> defined_;  // where each name is defined first
     std::set<std::string, std::less<>> failed_;               // defined, but without a value: reported already
     std::map<std::string, SourceSpan, std::less<>> said_;     // statements that may stand once
-    std::uint64_t starts_ = 0;
 
     void report(Diagnostic diagnostic) { diagnostics_.push_back(std::move(diagnostic)); }
 
@@ -168,6 +167,7 @@ private:
     void read(const Statement&, const SeedStatement&) {}
     void read(const Statement&, const UnitStatement&) {}
     void read(const Statement&, const IncludeStatement&) {}
+    void read(const Statement&, const StartStatement&) {}  // derivation/plane_start.h knows the shapes
     void read(const Statement&, const StyleStatement& style) { settings_.styles.push_back(&style); }
     void read(const Statement& statement, const GroupRule& rule) {
         settings_.rules.push_back(&rule);
@@ -325,7 +325,7 @@ private:
         return std::nullopt;
     }
 
-    // --- page, limits, starts ---
+    // --- page, limits ---
 
     void read(const Statement& statement, const PageStatement& page) {
         if (!is_first_statement("page", statement.span)) return;
@@ -424,27 +424,6 @@ private:
         if (name == "elements") settings_.limits.elements = static_cast<std::uint64_t>(*number);
         if (name == "memory") settings_.limits.memory_bytes = static_cast<std::uint64_t>(*number);
         if (name == "depth") settings_.limits.depth = static_cast<std::uint32_t>(*number);
-    }
-
-    void read(const Statement& statement, const StartStatement& start) {
-        ++starts_;
-        StartSetting out{start.tag.text, std::nullopt, start.from, statement.span};
-        if (start.value) {
-            Evaluation at = plain();
-            at.calls = {"*"};
-            // A tag may be renamed without another picture, so the start is known by its number.
-            at.site = {settings_.seed, Key{hash_text("start/" + to_text(starts_))}, "start"};
-            out.value = value_of(*start.value, at);
-            if (!out.value) return;
-            if (!std::holds_alternative<SymbolicCall>(out.value->data)) {
-                report(error(
-                    "language.wrong-kind",
-                    "a start is a call such as rectangle(100, 50), but this is " + std::string(kind_of(*out.value)),
-                    start.value->span));
-                return;
-            }
-        }
-        settings_.starts.push_back(std::move(out));
     }
 };
 

@@ -1,5 +1,5 @@
 // What a document says that every engine reads the same way, evaluated: parameters and `let` names, unit,
-// resolution, page, limits, palettes, starts and styles.
+// resolution, page, limits, palettes, and which statements are rules and styles.
 #pragma once
 
 #include <optional>
@@ -20,13 +20,6 @@ struct Page {
     bool in_mm = false;            // whether it was given in a metric unit or by name
 };
 
-struct StartSetting {
-    std::string tag;             // empty for `start from`
-    std::optional<Value> value;  // a SymbolicCall such as rectangle(...); none for `start from`
-    std::optional<Name> from;
-    SourceSpan span;
-};
-
 struct Settings {
     std::string engine;  // "tangle"
     SourceSpan engine_span;
@@ -36,7 +29,6 @@ struct Settings {
     Limits limits;
     std::optional<Name> symmetry;  // the group as written; the engine knows which it can
     Scope globals;                 // params, lets, palettes (as lists), page.width, page.height
-    std::vector<StartSetting> starts;
     std::vector<const StyleStatement*> styles;  // in order; point into the document (style.h reads them)
     std::vector<const GroupRule*> rules;        // likewise
     std::vector<SourceSpan> rule_spans;

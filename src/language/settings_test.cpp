@@ -60,10 +60,6 @@ outline(gap) : big -> in, out
     EXPECT_EQ(settings.limits.memory_bytes, 4000000000U);
     EXPECT_EQ(settings.limits.depth, 50U);
     EXPECT_EQ(settings.symmetry->text, "p4m");
-    ASSERT_EQ(settings.starts.size(), 2U);
-    EXPECT_EQ(settings.starts[0].tag, "big");
-    EXPECT_EQ(std::get<SymbolicCall>(settings.starts[0].value->data).name, "rectangle");
-    EXPECT_EQ(settings.starts[1].from->text, "portrait.svg");
     EXPECT_EQ(settings.styles.size(), 1U);
     EXPECT_EQ(settings.rules.size(), 1U);
     EXPECT_EQ(settings.rule_spans.size(), 1U);
@@ -107,8 +103,6 @@ TEST(ReadingSettings, ReportsEveryProblemAtItsPlace) {
     EXPECT_EQ(complaints("palette a = [#000, rde, 5]"), "language.unknown-name@rde\n");
     EXPECT_EQ(complaints("palette a = [#000, 5]"), "language.wrong-kind@5\n");
     EXPECT_EQ(complaints("palette max = [#000]"), "language.reserved-name@max\n");
-    EXPECT_EQ(complaints("start a = 5"), "language.wrong-kind@5\n");
-    EXPECT_EQ(complaints("start a = rectangle(1 / 0, foo(3))"), "language.not-finite@1 / 0\n");
     EXPECT_EQ(complaints("let area = 5"), "language.hidden-name@area\n");
     EXPECT_EQ(complaints("let a = 1\nlet a = 2\nlet b = foo\nlimit x 3"),
               "language.doubled-name@a\nlanguage.unknown-name@foo\nlanguage.unknown-limit@x\n");

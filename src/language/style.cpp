@@ -28,13 +28,13 @@ constexpr std::array<PropertyName, 6> property_names = {{
 
 struct CornerName {
     std::string_view name;
-    StyleCorner corner;
+    Corner corner;
 };
 constexpr std::array<CornerName, 4> corner_names = {{
-    {"round", StyleCorner::round},
-    {"mitre", StyleCorner::mitre},
-    {"miter", StyleCorner::mitre},
-    {"bevel", StyleCorner::bevel},
+    {"round", Corner::round},
+    {"mitre", Corner::mitre},
+    {"miter", Corner::mitre},
+    {"bevel", Corner::bevel},
 }};
 
 constexpr double largest_pen = 1e6;  // px
@@ -129,7 +129,7 @@ Result<double> pen_of(const Value& value, const Document& document, SourceSpan s
                  span);
 }
 
-Result<StyleCorner> corner_of(const Value& value, SourceSpan span) {
+Result<Corner> corner_of(const Value& value, SourceSpan span) {
     if (const Symbol* symbol = std::get_if<Symbol>(&value.data)) {
         for (const CornerName& name : corner_names) {
             if (name.name == symbol->name) return name.corner;
@@ -166,7 +166,7 @@ Result<StyleOverride> override_of(StylePropertyKind kind, const Value& value, co
             return out;
         }
         case StylePropertyKind::corner: {
-            Result<StyleCorner> corner = corner_of(value, span);
+            Result<Corner> corner = corner_of(value, span);
             if (!corner) return std::move(corner).diagnostics();
             out.corner = *corner;
             return out;

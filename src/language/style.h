@@ -19,10 +19,9 @@
 #include "base/result.h"
 #include "language/evaluate.h"
 #include "language/settings.h"
+#include "scene/drawing.h"
 
 namespace filigree {
-
-enum class StyleCorner : std::uint8_t { mitre, round, bevel };
 
 // What styles say; properties that none names are absent.
 struct StyleOverride {
@@ -30,7 +29,7 @@ struct StyleOverride {
     std::optional<Paint> fill = {};
     std::optional<Paint> stroke = {};
     std::optional<double> pen = {};  // px, at least 0
-    std::optional<StyleCorner> corner = {};
+    std::optional<Corner> corner = {};
 
     bool operator==(const StyleOverride&) const = default;
 };

@@ -210,8 +210,9 @@ void LevelWalker::walk_bent(const LevelCorner& from, const LevelCorner& to) {
         // A breakpoint on a level becomes a point of the ring, seen from either side of the edge.
         const double rise = (high.fraction - low.fraction) / (high.phi - low.phi);
         if (j > 0 && (start.code & 1) != 0) add_inside(a, b, start.fraction, 1 / rise);
-        walk_stretch(start.code, end.code, rightwards,
-                     [&](std::int32_t k) { add_inside(a, b, low.fraction + (field_->level(k) - low.phi) * rise, 1 / rise); });
+        walk_stretch(start.code, end.code, rightwards, [&](std::int32_t k) {
+            add_inside(a, b, low.fraction + (field_->level(k) - low.phi) * rise, 1 / rise);
+        });
     }
 }
 

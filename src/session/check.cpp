@@ -1,6 +1,5 @@
 #include "session/check.h"
 
-
 #include "language/style.h"
 #include "session/engines.h"
 
@@ -59,6 +58,10 @@ CheckedDocument check_document(const OpenedDocument& opened) {
     if (checked.settings->engine != "tangle") {
         if (!checked.settings->engine.empty()) checked.diagnostics.push_back(unknown_engine(*checked.settings));
         return checked;
+    }
+    if (checked.settings->symmetry) {
+        checked.diagnostics.push_back(
+            error("document.no-symmetry", "tangles know no symmetry", checked.settings->symmetry->span));
     }
     // A missing file is said already; the start would only say it again.
     if (!has_errors(opened.diagnostics)) {

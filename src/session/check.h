@@ -13,12 +13,12 @@
 namespace filigree {
 
 struct CheckedDocument {
-    std::optional<Settings> settings;           // none where they could not be read
-    std::optional<tangle::Grammar> grammar;     // likewise
-    std::optional<PlaneStart> start;            // likewise
-    std::vector<const GroupRule*> rules;        // as they stand in the document
+    std::optional<Settings> settings;        // none where they could not be read
+    std::optional<tangle::Grammar> grammar;  // likewise
+    std::optional<PlaneStart> start;         // likewise
+    std::vector<const GroupRule*> rules;     // as they stand in the document
     tangle::RuleGraph graph;
-    Diagnostics diagnostics;                    // of opening and checking, errors and warnings
+    Diagnostics diagnostics;  // of opening and checking, errors and warnings
 };
 
 // `opened` must outlive the result.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/number_text.h"
-#include "derivation/plane_start.h"
+#include "derivation/start_shapes.h"
 #include "language/evaluate.h"
 #include "session/engines.h"
 
@@ -34,7 +34,8 @@ std::string padded(std::string_view text, std::size_t width) {
 // "0.01 to 1000000", "at least 1", or nothing.
 std::string range_text(const ParameterDescription& parameter) {
     const bool low = parameter.low > -unbounded, high = parameter.high < unbounded;
-    const std::string unit = parameter.type == ParameterType::length || parameter.type == ParameterType::lengths ? " px" : "";
+    const std::string unit =
+        parameter.type == ParameterType::length || parameter.type == ParameterType::lengths ? " px" : "";
     if (low && high) return to_text(parameter.low) + " to " + to_text(parameter.high) + unit;
     if (low) return "at least " + to_text(parameter.low) + unit;
     if (high) return "at most " + to_text(parameter.high) + unit;
@@ -44,7 +45,8 @@ std::string range_text(const ParameterDescription& parameter) {
 // What a parameter takes: its type, words, range and default, in one line.
 std::string takes_text(const ParameterDescription& parameter) {
     std::string text(type_name(parameter.type));
-    if (!parameter.words.empty()) text += (parameter.type == ParameterType::word ? ": " : ", ") + joined(parameter.words, ", ");
+    if (!parameter.words.empty())
+        text += (parameter.type == ParameterType::word ? ": " : ", ") + joined(parameter.words, ", ");
     for (const std::string_view call : parameter.calls) text += ", " + std::string(call) + "(...)";
     if (const std::string range = range_text(parameter); !range.empty()) text += "; " + range;
     text += parameter.default_text.empty() ? "; must be given" : "; default " + std::string(parameter.default_text);
@@ -85,8 +87,8 @@ std::string operator_text(const OperatorDescription& op) {
 }
 
 std::string operator_markdown(const OperatorDescription& op) {
-    std::string text = "### `" + std::string(op.name) + "`\n\n" + std::string(op.help) + ". Source: " +
-                       std::string(op.source) + ".";
+    std::string text =
+        "### `" + std::string(op.name) + "`\n\n" + std::string(op.help) + ". Source: " + std::string(op.source) + ".";
     if (!op.aliases.empty()) text += " Also written `" + joined(op.aliases, "`, `") + "`.";
     text += "\n\n```\n" + std::string(op.example) + "\n```\n\n";
     if (!op.parameters.empty()) {
@@ -173,15 +175,17 @@ Result<std::string> describe_text(std::string_view name) {
         if (shape.name == name) return operator_text(shape);
         known.push_back(shape.name);
     }
-    Diagnostic unknown = error("describe.unknown-name", "there is no engine, operator or start shape '" + std::string(name) + "'", {},
-                               did_you_mean(name, known));
+    Diagnostic unknown =
+        error("describe.unknown-name", "there is no engine, operator or start shape '" + std::string(name) + "'", {},
+              did_you_mean(name, known));
     unknown.fault = Fault::usage;
     if (unknown.hints.empty()) unknown.hints.push_back("`filigree list` shows all");
     return unknown;
 }
 
 std::string reference_markdown() {
-    std::string text = "# Reference\n\nMade by `filigree describe --markdown` from the descriptions that the program itself uses.\n\n";
+    std::string text =
+        "# Reference\n\nMade by `filigree describe --markdown` from the descriptions that the program itself uses.\n\n";
     for (const EngineInfo& engine : engines()) {
         text += "## Operators of `" + std::string(engine.name) + "`: " + std::string(engine.help) + "\n\n";
         for (const OperatorDescription* op : engine.operators) text += operator_markdown(*op);
@@ -206,7 +210,8 @@ std::string descriptions_json() {
         json["engines"].push_back(std::move(one));
     }
     json["start_shapes"] = Json::array();
-    for (const OperatorDescription& shape : start_shape_descriptions()) json["start_shapes"].push_back(operator_json(shape));
+    for (const OperatorDescription& shape : start_shape_descriptions())
+        json["start_shapes"].push_back(operator_json(shape));
     return json.dump(2) + "\n";
 }
 

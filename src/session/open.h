@@ -25,10 +25,10 @@ struct OpenOptions {
 };
 
 struct OpenedDocument {
-    std::string name;                 // as it is carried: the file's own name
-    Document document;                // parsed from the effective text
-    Inputs inputs;                    // all files it read, in the order of their mention
-    Diagnostics diagnostics;          // errors of the language, and warnings
+    std::string name;                          // as it is carried: the file's own name
+    Document document;                         // parsed from the effective text
+    Inputs inputs;                             // all files it read, in the order of their mention
+    Diagnostics diagnostics;                   // errors of the language, and warnings
     std::vector<std::filesystem::path> files;  // on disk: the document first; what --watch looks at
 };
 

@@ -17,7 +17,7 @@
 namespace filigree {
 
 struct RunOptions {
-    std::optional<std::uint64_t> steps;                  // a prefix of the derivation
+    std::optional<std::uint64_t> steps;  // a prefix of the derivation
     tangle::ColourBy colour_by = tangle::ColourBy::style;
     bool verify = false;
 };
@@ -29,8 +29,8 @@ struct RunTimes {  // seconds
 struct Run {
     tangle::Tangle tangle;
     Drawing drawing;
-    Diagnostics diagnostics;              // warnings
-    std::vector<std::string> broken;      // invariants that do not hold; empty if not verified
+    Diagnostics diagnostics;          // warnings
+    std::vector<std::string> broken;  // invariants that do not hold; empty if not verified
     bool verified = false;
     RunTimes times;
 };

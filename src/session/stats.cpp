@@ -15,15 +15,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Documents may name files in bytes that are no UTF-8; they are shown with replacement characters.
-std::string dumped(const Json& json) {
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
+std::string dumped(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 std::uint32_t line_of(const Document& document, SourceSpan span) {
     if (span.file >= document.sources.size()) return 0;
     return line_column(document.sources[span.file].text, span.begin).line;
 }
-
 
 Json arguments_json(const Arguments& arguments) {
     Json json = Json::object();
@@ -165,9 +162,8 @@ std::string check_text(const CheckedDocument& checked, const Document& document)
                        std::to_string(checked.graph.longest_path) + "\n";
     for (std::size_t r = 0; r < checked.rules.size(); ++r) {
         const GroupRule& rule = *checked.rules[r];
-        text += "  " + std::to_string(r + 1) + "  line " +
-                std::to_string(line_of(document, rule.operator_name.span)) + "  " + rule.operator_name.text + " : " +
-                rule.tag.text;
+        text += "  " + std::to_string(r + 1) + "  line " + std::to_string(line_of(document, rule.operator_name.span)) +
+                "  " + rule.operator_name.text + " : " + rule.tag.text;
         const auto& next = checked.graph.successors[r];
         for (std::size_t i = 0; i < next.size(); ++i) text += (i == 0 ? "  -> " : ", ") + std::to_string(next[i] + 1);
         text += "\n";

@@ -17,10 +17,10 @@ struct RenderCommand {
     std::vector<std::filesystem::path> outputs;
     OpenOptions open;
     std::optional<std::uint64_t> steps;
-    std::size_t threads = 0;  // 0: as many as the machine has
+    std::size_t threads = 0;      // 0: as many as the machine has
     std::filesystem::path stats;  // empty: none
     tangle::ColourBy colour_by = tangle::ColourBy::style;
-    double dpi = 192;         // of PNG
+    double dpi = 192;  // of PNG
     bool verify = false;
     bool lean = false;
     bool watch = false;
@@ -44,7 +44,7 @@ struct DeriveCommand {
 int run_derive(const DeriveCommand& command);
 
 struct DescribeCommand {
-    std::string name;       // empty with `markdown` or `json`
+    std::string name;  // empty with `markdown` or `json`
     bool markdown = false;
     bool json = false;
 };

@@ -19,8 +19,14 @@ struct OpenFlags {
 
 void add_open_flags(CLI::App& command, OpenFlags& flags) {
     flags.seed_option = command.add_option("--seed", flags.seed, "another seed than the document's");
-    command.add_option("--set", flags.settings, "another value for a parameter: NAME=VALUE")->take_all()->expected(1)->allow_extra_args(false);
-    command.add_option("--allow", flags.folders, "a folder that the document may read too")->take_all()->expected(1)->allow_extra_args(false);
+    command.add_option("--set", flags.settings, "another value for a parameter: NAME=VALUE")
+        ->take_all()
+        ->expected(1)
+        ->allow_extra_args(false);
+    command.add_option("--allow", flags.folders, "a folder that the document may read too")
+        ->take_all()
+        ->expected(1)
+        ->allow_extra_args(false);
 }
 
 OpenOptions open_options(const OpenFlags& flags) {
@@ -44,11 +50,12 @@ int main(int argc, char** argv) {
     app.name("filigree");
     app.set_version_flag("--version", "filigree 0.1.0");
     app.require_subcommand(1);
-    app.footer("examples:\n"
-               "  filigree render examples/tangle/leaf.fil -o leaf.svg -o leaf.png\n"
-               "  filigree render leaf.fil -o leaf.svg --set spacing=30 --seed 7\n"
-               "  filigree check leaf.fil\n"
-               "  filigree describe outline\n");
+    app.footer(
+        "examples:\n"
+        "  filigree render examples/tangle/leaf.fil -o leaf.svg -o leaf.png\n"
+        "  filigree render leaf.fil -o leaf.svg --set spacing=30 --seed 7\n"
+        "  filigree check leaf.fil\n"
+        "  filigree describe outline\n");
     std::function<int()> run;
 
     filigree::RenderCommand render;
@@ -56,18 +63,26 @@ int main(int argc, char** argv) {
     std::uint64_t render_steps = 0;
     CLI::App* render_app = app.add_subcommand("render", "derive, draw and write a document");
     render_app->add_option("document", render.document, "a .fil file, or an SVG that Filigree wrote")->required();
-    render_app->add_option("-o,--output", render.outputs, "what to write; its ending (.svg, .png) is the format; may be repeated")
-        ->required()->take_all()->expected(1)->allow_extra_args(false);
+    render_app
+        ->add_option("-o,--output", render.outputs,
+                     "what to write; its ending (.svg, .png) is the format; may be repeated")
+        ->required()
+        ->take_all()
+        ->expected(1)
+        ->allow_extra_args(false);
     add_open_flags(*render_app, render_flags);
     CLI::Option* render_steps_option = render_app->add_option("--steps", render_steps, "stop after so many steps");
-    render_app->add_option("--threads", render.threads, "how many threads work; the result is the same")->check(CLI::Range(1, 1024));
+    render_app->add_option("--threads", render.threads, "how many threads work; the result is the same")
+        ->check(CLI::Range(1, 1024));
     render_app->add_option("--stats", render.stats, "write figures about the run, as JSON");
     render_app->add_option("--colour-by", render.colour_by, "colour shapes by what they are: tag, group or step")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, filigree::tangle::ColourBy>{
-            {"tag", filigree::tangle::ColourBy::tag},
-            {"group", filigree::tangle::ColourBy::group},
-            {"step", filigree::tangle::ColourBy::step}}));
-    render_app->add_option("--dpi", render.dpi, "dots per inch of a PNG")->check(CLI::Range(1.0, 9600.0))->capture_default_str();
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, filigree::tangle::ColourBy>{{"tag", filigree::tangle::ColourBy::tag},
+                                                              {"group", filigree::tangle::ColourBy::group},
+                                                              {"step", filigree::tangle::ColourBy::step}}));
+    render_app->add_option("--dpi", render.dpi, "dots per inch of a PNG")
+        ->check(CLI::Range(1.0, 9600.0))
+        ->capture_default_str();
     render_app->add_flag("--verify", render.verify, "check the result's invariants");
     render_app->add_flag("--lean", render.lean, "a smaller SVG, without what made each shape");
     render_app->add_flag("--watch", render.watch, "render again whenever a file changes");
@@ -79,7 +94,8 @@ int main(int argc, char** argv) {
 
     filigree::CheckCommand check;
     OpenFlags check_flags;
-    CLI::App* check_app = app.add_subcommand("check", "say what is wrong with a document, and show its grammar's graph");
+    CLI::App* check_app =
+        app.add_subcommand("check", "say what is wrong with a document, and show its grammar's graph");
     check_app->add_option("document", check.document, "a .fil file, or an SVG that Filigree wrote")->required();
     add_open_flags(*check_app, check_flags);
     check_app->add_flag("--json", check.json, "as JSON");
@@ -95,9 +111,12 @@ int main(int argc, char** argv) {
     derive_app->add_option("document", derive.document, "a .fil file, or an SVG that Filigree wrote")->required();
     add_open_flags(*derive_app, derive_flags);
     CLI::Option* derive_steps_option = derive_app->add_option("--steps", derive_steps, "stop after so many steps");
-    derive_app->add_option("--threads", derive.threads, "how many threads work; the result is the same")->check(CLI::Range(1, 1024));
+    derive_app->add_option("--threads", derive.threads, "how many threads work; the result is the same")
+        ->check(CLI::Range(1, 1024));
     std::string format = "text";
-    derive_app->add_option("--format", format, "text or json")->check(CLI::IsMember({"text", "json"}))->capture_default_str();
+    derive_app->add_option("--format", format, "text or json")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->capture_default_str();
     derive_app->callback([&] {
         derive.open = open_options(derive_flags);
         if (derive_steps_option->count() > 0) derive.steps = derive_steps;
@@ -114,7 +133,8 @@ int main(int argc, char** argv) {
     CLI::Option* markdown = describe_app->add_flag("--markdown", describe.markdown, "the whole reference, as Markdown");
     CLI::Option* json = describe_app->add_flag("--json", describe.json, "all descriptions, as JSON");
     describe_app->callback([&] {
-        if (name->count() + markdown->count() + json->count() != 1) throw CLI::RequiredError("describe: NAME, --markdown or --json");
+        if (name->count() + markdown->count() + json->count() != 1)
+            throw CLI::RequiredError("describe: NAME, --markdown or --json");
         run = [&] { return filigree::run_describe(describe); };
     });
 

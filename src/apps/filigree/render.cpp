@@ -43,13 +43,15 @@ Diagnostics output_problems(const RenderCommand& command) {
     for (const fs::path& output : command.outputs) {
         const std::string ending = ending_of(output);
         if (ending == ".svg" || ending == ".png") continue;
-        problems.push_back(usage_error("render.unknown-format", "'" + output.string() + "' has an ending that is no known format",
+        problems.push_back(usage_error("render.unknown-format",
+                                       "'" + output.string() + "' has an ending that is no known format",
                                        {"known are .svg and .png"}));
     }
     for (std::size_t i = 0; i < targets.size(); ++i) {
         for (std::size_t k = 0; k < i; ++k) {
             if (!same_file(targets[i], targets[k])) continue;
-            problems.push_back(usage_error("render.same-output", "'" + targets[i].string() + "' is given twice as an output"));
+            problems.push_back(
+                usage_error("render.same-output", "'" + targets[i].string() + "' is given twice as an output"));
         }
     }
     return problems;
@@ -63,9 +65,10 @@ Diagnostics overwrite_problems(const RenderCommand& command, const OpenedDocumen
     for (const fs::path& target : targets) {
         for (const fs::path& file : opened.files) {
             if (!same_file(target, file)) continue;
-            problems.push_back(usage_error("render.overwrites-input",
-                                           "'" + target.string() + "' is read by the document, so it is not overwritten",
-                                           {"choose another name for the output"}));
+            problems.push_back(
+                usage_error("render.overwrites-input",
+                            "'" + target.string() + "' is read by the document, so it is not overwritten",
+                            {"choose another name for the output"}));
             break;
         }
     }
@@ -126,7 +129,8 @@ Outcome render_once(const RenderCommand& command, Executor& executor, const Job&
     }
     clear_progress();
     Diagnostics broken;
-    for (const std::string& invariant : run->broken) broken.push_back(fault(Fault::internal, "verify.broken", invariant));
+    for (const std::string& invariant : run->broken)
+        broken.push_back(fault(Fault::internal, "verify.broken", invariant));
     return {print_diagnostics(broken, {}), opened->files};
 }
 
@@ -156,7 +160,8 @@ int watch(const RenderCommand& command, Executor& executor, const Job& job) {
 }  // namespace
 
 int run_render(const RenderCommand& command) {
-    if (const Diagnostics problems = output_problems(command); !problems.empty()) return print_diagnostics(problems, {});
+    if (const Diagnostics problems = output_problems(command); !problems.empty())
+        return print_diagnostics(problems, {});
     const std::unique_ptr<Executor> executor = make_executor(command.threads);
     const Job job = terminal_job();
     if (command.watch) return watch(command, *executor, job);

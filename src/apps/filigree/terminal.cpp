@@ -28,11 +28,16 @@ int exit_status(const Diagnostics& diagnostics) {
     for (const Diagnostic& diagnostic : diagnostics) {
         if (diagnostic.severity != Severity::error) continue;
         switch (diagnostic.fault) {
-            case Fault::document: return 1;
-            case Fault::usage: return 2;
-            case Fault::file: return 3;
-            case Fault::limit: return 4;
-            case Fault::internal: return 5;
+            case Fault::document:
+                return 1;
+            case Fault::usage:
+                return 2;
+            case Fault::file:
+                return 3;
+            case Fault::limit:
+                return 4;
+            case Fault::internal:
+                return 5;
         }
     }
     return 0;

@@ -122,8 +122,7 @@ private:
         Expansion expansion;
         const std::vector<std::uint32_t>& matching = grammar_.rules_of_tag[group.tag];
         if (matching.empty() || group.hidden) return expansion;
-        const Scope scope =
-            step_scope(tangle_, group, static_cast<std::uint32_t>(number + 1), settings_.globals);
+        const Scope scope = step_scope(tangle_, group, static_cast<std::uint32_t>(number + 1), settings_.globals);
         const std::optional<std::uint32_t> rule = draw_rule(group, matching, scope, expansion.errors);
         expansion.terminal = !rule && expansion.errors.empty();
         if (!rule) return expansion;
@@ -132,17 +131,17 @@ private:
         expansion.key = child(group.key, grammar_.rules[*rule].key.value);
         std::vector<ShapeContext> contexts;
         if (per_shape_[*rule]) contexts = shape_contexts(tangle_, group, expansion.key, scope);
-        Result<Arguments> arguments = evaluate_arguments(grammar_.rules[*rule].call, document_, scope, settings_.seed,
-                                                         expansion.key, contexts);
+        Result<Arguments> arguments =
+            evaluate_arguments(grammar_.rules[*rule].call, document_, scope, settings_.seed, expansion.key, contexts);
         if (!arguments) {
             expansion.errors = arguments.diagnostics();
             return expansion;
         }
         expansion.arguments = std::move(*arguments);
-        const std::uint64_t budget =
-            settings_.limits.elements - std::min(settings_.limits.elements, elements_);
-        Result<OperatorOutput> output = grammar_.rules[*rule].op->run(
-            {tangle_, group.shapes, expansion.arguments, settings_.seed, expansion.key, settings_.resolution, budget, executor});
+        const std::uint64_t budget = settings_.limits.elements - std::min(settings_.limits.elements, elements_);
+        Result<OperatorOutput> output =
+            grammar_.rules[*rule].op->run({tangle_, group.shapes, expansion.arguments, settings_.seed, expansion.key,
+                                           settings_.resolution, budget, executor});
         if (!output) {
             expansion.errors = output.diagnostics();
             for (Diagnostic& reason : expansion.errors) {
@@ -183,7 +182,8 @@ private:
                 if (!number) continue;
                 weight = *number;
                 if (weight < 0) {
-                    errors.push_back(error("tangle.negative-weight", "a weight must not be below 0", rule.weight->span));
+                    errors.push_back(
+                        error("tangle.negative-weight", "a weight must not be below 0", rule.weight->span));
                     continue;
                 }
             }

@@ -61,11 +61,7 @@ void apply(const StyleOverride& over, Style& style) {
     if (over.fill) style.fill = *over.fill;
     if (over.stroke) style.stroke = *over.stroke;
     if (over.pen) style.pen = *over.pen;
-    if (over.corner) {
-        style.corner = *over.corner == StyleCorner::mitre   ? Corner::mitre
-                       : *over.corner == StyleCorner::bevel ? Corner::bevel
-                                                            : Corner::round;
-    }
+    if (over.corner) style.corner = *over.corner;
 }
 
 // What a style's expressions may ask of a shape.
@@ -97,10 +93,11 @@ public:
         : tangle_(tangle), grammar_(grammar), sheet_(std::move(sheet)), colour_by_(colour_by) {
         for (const std::string& tag : grammar.tags) {
             tag_styles_.push_back(style_of_tag(sheet_, tag));
-            is_named_.push_back(std::any_of(settings.styles.begin(), settings.styles.end(), [&](const StyleStatement* style) {
-                return std::any_of(style->tags.begin(), style->tags.end(),
-                                   [&](const Name& name) { return name.text == tag; });
-            }));
+            is_named_.push_back(
+                std::any_of(settings.styles.begin(), settings.styles.end(), [&](const StyleStatement* style) {
+                    return std::any_of(style->tags.begin(), style->tags.end(),
+                                       [&](const Name& name) { return name.text == tag; });
+                }));
         }
     }
 

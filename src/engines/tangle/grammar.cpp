@@ -54,8 +54,8 @@ private:
         rule.condition = source.condition;
         rule.weight = source.weight;
         name_rule(rule, source);
-        Result<BoundCall> call = bind(op->description, source.arguments, source.operator_name.span, document_,
-                                      settings_.globals);
+        Result<BoundCall> call =
+            bind(op->description, source.arguments, source.operator_name.span, document_, settings_.globals);
         append(diagnostics_, call.diagnostics());
         if (call) rule.call = std::move(*call);
         if (source.condition) append(diagnostics_, check_condition(*source.condition, document_, settings_.globals));
@@ -97,18 +97,19 @@ private:
                     continue;
                 }
                 if (taken[port]) {
-                    diagnostics_.push_back(error("tangle.repeated-port",
-                                                 "the output '" + output.port + "' is named twice", output.span));
+                    diagnostics_.push_back(
+                        error("tangle.repeated-port", "the output '" + output.port + "' is named twice", output.span));
                     continue;
                 }
             } else {
                 port = next++;
                 if (port >= ports.size()) {
-                    diagnostics_.push_back(warning("tangle.surplus-output",
-                                                   "'" + std::string(rule.op->description.name) + "' has " +
-                                                       (ports.size() == 1 ? "one output" : std::to_string(ports.size()) + " outputs") +
-                                                       "; this tag is never produced",
-                                                   output.span));
+                    diagnostics_.push_back(
+                        warning("tangle.surplus-output",
+                                "'" + std::string(rule.op->description.name) + "' has " +
+                                    (ports.size() == 1 ? "one output" : std::to_string(ports.size()) + " outputs") +
+                                    "; this tag is never produced",
+                                output.span));
                     if (!output.dropped && !output.tag.empty()) tag_index(output.tag);
                     continue;
                 }
@@ -128,7 +129,8 @@ private:
         std::vector<std::string> hints = did_you_mean(output.port, names);
         if (hints.empty()) hints.push_back("its outputs are " + all);
         return error("tangle.unknown-port",
-                     "'" + std::string(op.description.name) + "' has no output '" + output.port + "'", output.span, hints);
+                     "'" + std::string(op.description.name) + "' has no output '" + output.port + "'", output.span,
+                     hints);
     }
 
     const Settings& settings_;

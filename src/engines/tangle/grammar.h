@@ -19,20 +19,20 @@ struct Output {
     bool hidden = false;    // `_`
 };
 struct Rule {
-    std::string segment;        // as it stands in paths: its label, or "outline", "outline#2", ...
-    Key key;                    // of the segment
+    std::string segment;  // as it stands in paths: its label, or "outline", "outline#2", ...
+    Key key;              // of the segment
     const Operator* op = nullptr;
     BoundCall call;
-    std::uint32_t tag = 0;      // what it matches
-    ExpressionPtr condition;    // `when`; null if absent
-    ExpressionPtr weight;       // null if absent: 1
+    std::uint32_t tag = 0;        // what it matches
+    ExpressionPtr condition;      // `when`; null if absent
+    ExpressionPtr weight;         // null if absent: 1
     std::vector<Output> outputs;  // one a port of the operator
     SourceSpan span;
 };
 struct Grammar {
-    std::vector<std::string> tags;                           // in order of appearance; "" is the unnamed terminal
-    std::vector<Rule> rules;                                 // in order of the document
-    std::vector<std::vector<std::uint32_t>> rules_of_tag;    // for each tag, indices of rules
+    std::vector<std::string> tags;                         // in order of appearance; "" is the unnamed terminal
+    std::vector<Rule> rules;                               // in order of the document
+    std::vector<std::vector<std::uint32_t>> rules_of_tag;  // for each tag, indices of rules
 
     // Index of a tag, or none.
     std::uint32_t find_tag(std::string_view name) const;

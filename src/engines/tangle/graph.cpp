@@ -132,7 +132,8 @@ RuleGraph rule_graph(std::span<const GroupRule* const> rules) {
     return graph;
 }
 
-Diagnostics graph_warnings(const Settings& settings, const Document& document, std::span<const std::string> start_tags) {
+Diagnostics graph_warnings(const Settings& settings, const Document& document,
+                           std::span<const std::string> start_tags) {
     const std::span<const GroupRule* const> rules = settings.rules;
     const RuleGraph graph = rule_graph(rules);
     const std::vector<bool> reached = reachable_rules(rules, graph, start_tags);
@@ -149,9 +150,10 @@ Diagnostics graph_warnings(const Settings& settings, const Document& document, s
         if (reached[r]) continue;
         const Name& tag = rules[r]->tag;
         if (producers.count(tag.text) != 0) {
-            warnings.push_back(warning("tangle.unreachable-rule",
-                                       "the tag '" + tag.text + "' is produced only by rules that never apply, so neither does this one",
-                                       tag.span));
+            warnings.push_back(warning(
+                "tangle.unreachable-rule",
+                "the tag '" + tag.text + "' is produced only by rules that never apply, so neither does this one",
+                tag.span));
             continue;
         }
         Diagnostic note = warning("tangle.unreachable-rule",
@@ -159,11 +161,9 @@ Diagnostics graph_warnings(const Settings& settings, const Document& document, s
         const std::string_view near = nearest_name(tag.text, known);
         if (!near.empty()) {
             const auto producer = producers.find(near);
-            note.hints.push_back(
-                producer == producers.end()
-                    ? "'" + std::string(near) + "' is the tag of a start"
-                    : "'" + std::string(near) + "' is produced on line " +
-                          line_of(producer->second->span, document.sources));
+            note.hints.push_back(producer == producers.end() ? "'" + std::string(near) + "' is the tag of a start"
+                                                             : "'" + std::string(near) + "' is produced on line " +
+                                                                   line_of(producer->second->span, document.sources));
         }
         warnings.push_back(std::move(note));
     }

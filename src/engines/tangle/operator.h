@@ -18,12 +18,12 @@
 namespace filigree::tangle {
 
 struct OperatorInput {
-    const Tangle& tangle;             // for the geometry of the shapes
-    std::span<const Shape> shapes;    // of one group
+    const Tangle& tangle;           // for the geometry of the shapes
+    std::span<const Shape> shapes;  // of one group
     const Arguments& arguments;
     std::uint64_t seed = 0;
-    Key step;                         // of this step: where inner choices hang
-    double resolution = 0.1;          // px: tolerance of curves
+    Key step;                          // of this step: where inner choices hang
+    double resolution = 0.1;           // px: tolerance of curves
     std::uint64_t element_budget = 0;  // more new shapes than this are refused
     Executor& executor;
 };

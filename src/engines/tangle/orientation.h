@@ -1,8 +1,8 @@
 // Which way an operator lays its pattern: the forms of a `direction` parameter of the tangle's operators.
 #pragma once
 
-#include "language/value.h"
 #include "engines/tangle/tangle.h"
+#include "language/value.h"
 
 namespace filigree::tangle {
 

@@ -24,21 +24,21 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 struct Shape {
     Key key;
-    Vec direction{1, 0};         // unit: its orientation
-    std::uint32_t geometry = 0;  // index into Tangle::geometry
-    std::uint32_t polygon = 0;   // index into that
-    std::int32_t column = 0;     // lattice place i: its strip in the split that made it
-    std::int32_t row = 0;        // lattice place j: its strip in the second family of a dual split
-    bool inked = false;          // black with white details, instead of white with black ones
+    Vec direction{1, 0};           // unit: its orientation
+    std::uint32_t geometry = 0;    // index into Tangle::geometry
+    std::uint32_t polygon = 0;     // index into that
+    std::int32_t column = 0;       // lattice place i: its strip in the split that made it
+    std::int32_t row = 0;          // lattice place j: its strip in the second family of a dual split
+    bool inked = false;            // black with white details, instead of white with black ones
     bool border_in_paper = false;  // its border was drawn inside an inked shape, so in white
-    bool is_mark = false;        // a decoration on top of the partition, no part of it
-    std::optional<Colour> fill;  // set by the operator fill
+    bool is_mark = false;          // a decoration on top of the partition, no part of it
+    std::optional<Colour> fill;    // set by the operator fill
 
     bool operator==(const Shape&) const = default;
 };
 
 struct Group {
-    std::uint32_t tag = 0;          // index into Grammar::tags
+    std::uint32_t tag = 0;  // index into Grammar::tags
     Key key;
     std::uint32_t producer = none;  // the step that made it; none for a start
     std::uint32_t port = 0;         // of that step
@@ -51,8 +51,8 @@ struct Group {
 
 struct Step {
     Key key;
-    std::uint32_t rule = 0;   // index into Grammar::rules
-    std::uint32_t group = 0;  // the group it expanded
+    std::uint32_t rule = 0;                          // index into Grammar::rules
+    std::uint32_t group = 0;                         // the group it expanded
     std::uint32_t first_output = 0, end_output = 0;  // groups it made
     Arguments arguments;
 };

@@ -55,8 +55,10 @@ std::vector<std::string> broken_invariants(const Tangle& tangle) {
 
     for (std::size_t s = 0; s < tangle.steps.size(); ++s) {
         const Step& step = tangle.steps[s];
-        if (tangle.groups[step.group].consumer != s) broken.push_back("step " + std::to_string(s + 1) + " expands a group that another step expanded");
-        if (s > 0 && tangle.steps[s - 1].group >= step.group) broken.push_back("step " + std::to_string(s + 1) + " is out of order");
+        if (tangle.groups[step.group].consumer != s)
+            broken.push_back("step " + std::to_string(s + 1) + " expands a group that another step expanded");
+        if (s > 0 && tangle.steps[s - 1].group >= step.group)
+            broken.push_back("step " + std::to_string(s + 1) + " is out of order");
     }
     std::vector<std::uint64_t> keys;
     for_each_leaf(tangle, [&](const Shape& shape) { keys.push_back(shape.key.value); });

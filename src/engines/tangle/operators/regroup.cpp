@@ -20,8 +20,7 @@ Result<OperatorOutput> run(const OperatorInput& input) {
     for (std::int64_t k = 0; k < count; ++k) output.groups.push_back({0, static_cast<std::uint64_t>(k), {}});
     for (std::size_t i = 0; i < input.shapes.size(); ++i) {
         const Shape& shape = input.shapes[i];
-        const std::int64_t number =
-            by_lattice ? std::int64_t{shape.column} + shape.row : static_cast<std::int64_t>(i);
+        const std::int64_t number = by_lattice ? std::int64_t{shape.column} + shape.row : static_cast<std::int64_t>(i);
         output.groups[class_of(number, count)].shapes.push_back(shape);
     }
     return output;

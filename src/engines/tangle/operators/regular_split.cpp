@@ -15,7 +15,7 @@
 namespace filigree::tangle {
 namespace {
 
-constexpr double sliver = 0.25;            // of the distance: thinner end strips join their neighbour
+constexpr double sliver = 0.25;  // of the distance: thinner end strips join their neighbour
 constexpr std::size_t most_levels = 1'000'000;
 
 // The curve as samples over one wavelength, close enough to the resolution; nothing for a straight line.
@@ -42,8 +42,8 @@ struct Levels {
 
 // Where the family is laid out, and the part of it that a shape can meet.
 struct Layout {
-    LevelRange whole;       // the cuts are centred in it, or fitted to it
-    LevelRange visible;     // only cuts inside it are made
+    LevelRange whole;        // the cuts are centred in it, or fitted to it
+    LevelRange visible;      // only cuts inside it are made
     bool at_origin = false;  // not centred: one cut lies at level 0
     bool fit = false;
 };
@@ -132,52 +132,52 @@ Result<OperatorOutput> run(const OperatorInput& input) {
     const bool dual = arguments.flag("dual"), fit = arguments.flag("fit");
     const Box group_box = anchor == "group" ? bounds_of_all(input) : Box{};
     std::atomic<bool> too_many = false;
-    Result<OperatorOutput> output = for_each_shape(input, [&](std::size_t index, const Shape& shape, PolygonView polygon,
-                                                              Batch& batch) {
-        if (too_many.load(std::memory_order_relaxed)) return;
-        const std::vector<double> offsets = arguments.lengths("offset", index);
-        const Profile profile = profile_of(arguments.word("curve", index), arguments.number("amplitude", index),
-                                           arguments.number("wavelength", index), input.resolution);
-        const Vec direction = direction_of(arguments.value("angle", index), shape, polygon);
-        const Box box = anchor == "group" ? group_box : bounds(polygon);
-        const Vec centre = 0.5 * (to_px(box.min) + to_px(box.max));
-        const Frame frame{anchor == "page" ? Vec{0, 0} : centre, direction};
-        const auto family_in = [&](const Frame& at) {
-            const LevelRange own = level_range(polygon, at, profile);
-            const LevelRange whole = anchor == "group" ? range_of_box(group_box, at, profile) : own;
-            Levels levels = levels_in({whole, own, anchor == "page", fit}, offsets);
-            if (levels.too_many || levels.at.size() > input.element_budget) too_many = true;
-            return LevelFamily{at, profile, std::move(levels.at), levels.first_strip};
-        };
-        const LevelFamily first = family_in(frame);
-        if (too_many) return;
-        const auto add = [&](const Polygons& pieces, std::size_t i, std::int32_t column, std::int32_t row,
-                             std::uint64_t local) {
-            Shape piece = piece_of(shape, input.step, local, batch.geometry.size());
-            piece.direction = direction;
-            piece.column = column;
-            piece.row = row;
-            batch.geometry.add(pieces[i]);
-            batch.ports[0].push_back(piece);
-        };
-        const LevelCut strips = cut(polygon, first);
-        LocalKeys strip_keys(0);
-        if (!dual) {
-            for (std::size_t i = 0; i < strips.pieces.size(); ++i) {
-                add(strips.pieces, i, strips.strips[i], 0, strip_keys.next(strips.strips[i]));
+    Result<OperatorOutput> output =
+        for_each_shape(input, [&](std::size_t index, const Shape& shape, PolygonView polygon, Batch& batch) {
+            if (too_many.load(std::memory_order_relaxed)) return;
+            const std::vector<double> offsets = arguments.lengths("offset", index);
+            const Profile profile = profile_of(arguments.word("curve", index), arguments.number("amplitude", index),
+                                               arguments.number("wavelength", index), input.resolution);
+            const Vec direction = direction_of(arguments.value("angle", index), shape, polygon);
+            const Box box = anchor == "group" ? group_box : bounds(polygon);
+            const Vec centre = 0.5 * (to_px(box.min) + to_px(box.max));
+            const Frame frame{anchor == "page" ? Vec{0, 0} : centre, direction};
+            const auto family_in = [&](const Frame& at) {
+                const LevelRange own = level_range(polygon, at, profile);
+                const LevelRange whole = anchor == "group" ? range_of_box(group_box, at, profile) : own;
+                Levels levels = levels_in({whole, own, anchor == "page", fit}, offsets);
+                if (levels.too_many || levels.at.size() > input.element_budget) too_many = true;
+                return LevelFamily{at, profile, std::move(levels.at), levels.first_strip};
+            };
+            const LevelFamily first = family_in(frame);
+            if (too_many) return;
+            const auto add = [&](const Polygons& pieces, std::size_t i, std::int32_t column, std::int32_t row,
+                                 std::uint64_t local) {
+                Shape piece = piece_of(shape, input.step, local, batch.geometry.size());
+                piece.direction = direction;
+                piece.column = column;
+                piece.row = row;
+                batch.geometry.add(pieces[i]);
+                batch.ports[0].push_back(piece);
+            };
+            const LevelCut strips = cut(polygon, first);
+            LocalKeys strip_keys(0);
+            if (!dual) {
+                for (std::size_t i = 0; i < strips.pieces.size(); ++i) {
+                    add(strips.pieces, i, strips.strips[i], 0, strip_keys.next(strips.strips[i]));
+                }
+                return;
             }
-            return;
-        }
-        const LevelFamily second = family_in(turned(frame));
-        if (too_many) return;
-        for (std::size_t s = 0; s < strips.pieces.size(); ++s) {
-            const LevelCut fields = cut(strips.pieces[s], second);
-            LocalKeys field_keys(strip_keys.next(strips.strips[s]));
-            for (std::size_t i = 0; i < fields.pieces.size(); ++i) {
-                add(fields.pieces, i, strips.strips[s], fields.strips[i], field_keys.next(fields.strips[i]));
+            const LevelFamily second = family_in(turned(frame));
+            if (too_many) return;
+            for (std::size_t s = 0; s < strips.pieces.size(); ++s) {
+                const LevelCut fields = cut(strips.pieces[s], second);
+                LocalKeys field_keys(strip_keys.next(strips.strips[s]));
+                for (std::size_t i = 0; i < fields.pieces.size(); ++i) {
+                    add(fields.pieces, i, strips.strips[s], fields.strips[i], field_keys.next(fields.strips[i]));
+                }
             }
-        }
-    });
+        });
     if (too_many) return too_many_shapes(input);
     return output;
 }
@@ -185,56 +185,57 @@ Result<OperatorOutput> run(const OperatorInput& input) {
 }  // namespace
 
 Operator regular_split_operator() {
-    return {{.name = "regular_split",
-             .aliases = {"regularSplit"},
-             .help = "cut along copies of a curve at regular distances, once or crosswise",
-             .source = "gTangle, section 4.2",
-             .parameters =
-                 {{.name = "curve",
-                   .type = ParameterType::word,
-                   .help = "what the cuts look like",
-                   .default_text = "line",
-                   .words = {"line", "wave", "zigzag"}},
-                  {.name = "offset",
-                   .type = ParameterType::lengths,
-                   .help = "distance from cut to cut; a list is used in turn",
-                   .low = 0.01,
-                   .high = 1e6,
-                   .aliases = {"offsets"}},
-                  {.name = "dual",
-                   .type = ParameterType::flag,
-                   .help = "cut once more at right angles, into fields",
-                   .default_text = "false"},
-                  {.name = "angle",
-                   .type = ParameterType::direction,
-                   .help = "direction of the cuts, in degrees from x towards y, or relative to the shape's own",
-                   .default_text = "0..180",
-                   .words = {"keep", "across", "axis"},
-                   .calls = {"turn", "towards"}},
-                  {.name = "fit",
-                   .type = ParameterType::flag,
-                   .help = "stretch the distance so that a whole number of strips fills the shape",
-                   .default_text = "false"},
-                  {.name = "anchor",
-                   .type = ParameterType::word,
-                   .help = "where the cuts are laid out from: each shape, the whole group, or the origin of the page",
-                   .default_text = "shape",
-                   .words = {"shape", "group", "page"}},
-                  {.name = "amplitude",
-                   .type = ParameterType::length,
-                   .help = "height of a wave or zigzag above its middle",
-                   .default_text = "4px",
-                   .low = 0,
-                   .high = 1e6},
-                  {.name = "wavelength",
-                   .type = ParameterType::length,
-                   .help = "length of one wave or tooth",
-                   .default_text = "40px",
-                   .low = 0.1,
-                   .high = 1e6}},
-             .ports = {{"pieces", "the strips, or the fields of a dual split"}},
-             .example = "regular_split(wave, 12, angle: across) : leaf -> strips"},
-            run};
+    return {
+        {.name = "regular_split",
+         .aliases = {"regularSplit"},
+         .help = "cut along copies of a curve at regular distances, once or crosswise",
+         .source = "gTangle, section 4.2",
+         .parameters = {{.name = "curve",
+                         .type = ParameterType::word,
+                         .help = "what the cuts look like",
+                         .default_text = "line",
+                         .words = {"line", "wave", "zigzag"}},
+                        {.name = "offset",
+                         .type = ParameterType::lengths,
+                         .help = "distance from cut to cut; a list is used in turn",
+                         .low = 0.01,
+                         .high = 1e6,
+                         .aliases = {"offsets"}},
+                        {.name = "dual",
+                         .type = ParameterType::flag,
+                         .help = "cut once more at right angles, into fields",
+                         .default_text = "false"},
+                        {.name = "angle",
+                         .type = ParameterType::direction,
+                         .help = "direction of the cuts, in degrees from x towards y, or relative to the shape's own",
+                         .default_text = "0..180",
+                         .words = {"keep", "across", "axis"},
+                         .calls = {"turn", "towards"}},
+                        {.name = "fit",
+                         .type = ParameterType::flag,
+                         .help = "stretch the distance so that a whole number of strips fills the shape",
+                         .default_text = "false"},
+                        {.name = "anchor",
+                         .type = ParameterType::word,
+                         .help =
+                             "where the cuts are laid out from: each shape, the whole group, or the origin of the page",
+                         .default_text = "shape",
+                         .words = {"shape", "group", "page"}},
+                        {.name = "amplitude",
+                         .type = ParameterType::length,
+                         .help = "height of a wave or zigzag above its middle",
+                         .default_text = "4px",
+                         .low = 0,
+                         .high = 1e6},
+                        {.name = "wavelength",
+                         .type = ParameterType::length,
+                         .help = "length of one wave or tooth",
+                         .default_text = "40px",
+                         .low = 0.1,
+                         .high = 1e6}},
+         .ports = {{"pieces", "the strips, or the fields of a dual split"}},
+         .example = "regular_split(wave, 12, angle: across) : leaf -> strips"},
+        run};
 }
 
 }  // namespace filigree::tangle
