@@ -2,25 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 
-#include "base/random.h"
+#include "base/test_cases.h"
 
 namespace filigree {
 namespace {
-
-std::uint64_t case_count() {
-    const char* text = std::getenv("FILIGREE_CASES");
-    return text == nullptr ? 1000 : std::strtoull(text, nullptr, 10);
-}
-
-struct Dice {
-    std::uint64_t state = 0;
-    std::int64_t whole(std::int64_t low, std::int64_t high) {  // in [low, high]
-        state = mix(state);
-        return low + static_cast<std::int64_t>(to_whole(state, static_cast<std::uint32_t>(high - low + 1)));
-    }
-};
 
 std::vector<std::uint32_t> find(const BoxGrid& grid, const Box& box) {
     std::vector<std::uint32_t> found;
@@ -76,19 +62,19 @@ TEST(BoxGrid, TakesManyLargeBoxes) {
 
 TEST(BoxGrid, AgreesWithLookingAtAll) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Dice dice{mix(seed)};
-        const std::int64_t range = std::int64_t{1} << dice.whole(2, 30);
-        const std::int64_t size = std::int64_t{1} << dice.whole(0, 28);
-        std::vector<Box> boxes(static_cast<std::size_t>(dice.whole(0, 120)));
+        CaseRandom random(seed);
+        const std::int64_t range = std::int64_t{1} << random.whole(2, 30);
+        const std::int64_t size = std::int64_t{1} << random.whole(0, 28);
+        std::vector<Box> boxes(static_cast<std::size_t>(random.whole(0, 120)));
         for (Box& box : boxes) {
-            if (dice.whole(0, 9) == 0) continue;
-            box.min = {dice.whole(-range, range), dice.whole(-range, range)};
-            box.max = {box.min.x + dice.whole(0, size), box.min.y + dice.whole(0, size)};
+            if (random.whole(0, 9) == 0) continue;
+            box.min = {random.whole(-range, range), random.whole(-range, range)};
+            box.max = {box.min.x + random.whole(0, size), box.min.y + random.whole(0, size)};
         }
         const BoxGrid grid(boxes);
         for (int query = 0; query < 10; ++query) {
-            Box box{{dice.whole(-range, range), dice.whole(-range, range)}, {}};
-            box.max = {box.min.x + dice.whole(0, size), box.min.y + dice.whole(0, size)};
+            Box box{{random.whole(-range, range), random.whole(-range, range)}, {}};
+            box.max = {box.min.x + random.whole(0, size), box.min.y + random.whole(0, size)};
             std::vector<std::uint32_t> expected;
             for (std::uint32_t i = 0; i < boxes.size(); ++i) {
                 if (!is_empty(boxes[i]) && overlaps(boxes[i], box)) expected.push_back(i);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "base/test_cases.h"
 #include "base/elementary.h"
 #include "plane/clean_test_oracle.h"
 #include "plane/verify.h"
@@ -246,10 +247,10 @@ constexpr Scale scales[] = {
 TEST(Clean, RandomOutlines) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
         const Scale& scale = scales[seed % std::size(scales)];
-        Dice dice{seed};
+        CaseRandom random(seed);
         Rings rings;
-        for (std::int64_t i = dice.whole(1, 3); i > 0; --i) {
-            rings.push_back(random_ring(dice, dice.whole(3, 12), scale.size, scale.step));
+        for (std::int64_t i = random.whole(1, 3); i > 0; --i) {
+            rings.push_back(random_ring(random, random.whole(3, 12), scale.size, scale.step));
         }
         for (const FillRule rule : {FillRule::nonzero, FillRule::even_odd}) {
             const bool nonzero = rule == FillRule::nonzero;
@@ -261,7 +262,7 @@ TEST(Clean, RandomOutlines) {
                         where);
             ASSERT_EQ(clean(rings_of(polygons), rule), polygons) << where;
             for (int i = 0; i < 8; ++i) {
-                const Point p{dice.whole(0, scale.size) * scale.step, dice.whole(0, scale.size) * scale.step};
+                const Point p{random.whole(0, scale.size) * scale.step, random.whole(0, scale.size) * scale.step};
                 const Winding winding = winding_at(rings, p);
                 if (winding.distance < 3) continue;
                 int found = -1;
@@ -276,13 +277,13 @@ TEST(Clean, RandomOutlines) {
 
 TEST(Clean, OrderAndStartsAndDirectionsDoNotMatter) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Dice dice{seed};
+        CaseRandom random(seed);
         const Scale& scale = scales[seed % std::size(scales)];
         Rings rings;
-        for (int i = 0; i < 3; ++i) rings.push_back(random_ring(dice, dice.whole(3, 9), scale.size, scale.step));
+        for (int i = 0; i < 3; ++i) rings.push_back(random_ring(random, random.whole(3, 9), scale.size, scale.step));
         Rings turned{rings[2], rings[0], rings[1]};
         for (Ring& ring : turned) {
-            std::rotate(ring.begin(), ring.begin() + dice.whole(0, static_cast<std::int64_t>(ring.size()) - 1),
+            std::rotate(ring.begin(), ring.begin() + random.whole(0, static_cast<std::int64_t>(ring.size()) - 1),
                         ring.end());
         }
         ASSERT_EQ(clean(rings, FillRule::nonzero), clean(turned, FillRule::nonzero)) << "seed " << seed;
@@ -310,12 +311,12 @@ TEST(Booleans, Squares) {
 
 TEST(Booleans, Laws) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Dice dice{seed};
+        CaseRandom random(seed);
         const Scale& scale = scales[seed % std::size(scales)];
         const Polygons a =
-            clean(Rings{random_ring(dice, dice.whole(3, 10), scale.size, scale.step)}, FillRule::even_odd);
+            clean(Rings{random_ring(random, random.whole(3, 10), scale.size, scale.step)}, FillRule::even_odd);
         const Polygons b =
-            clean(Rings{random_ring(dice, dice.whole(3, 10), scale.size, scale.step)}, FillRule::nonzero);
+            clean(Rings{random_ring(random, random.whole(3, 10), scale.size, scale.step)}, FillRule::nonzero);
         const Polygons either = unite(a, b), both = intersect(a, b), rest = subtract(a, b);
         for (const Polygons* each : {&either, &both, &rest}) ASSERT_EQ(flaw_of(*each), "") << "seed " << seed;
         ASSERT_EQ(unite(b, a), either) << "seed " << seed;
@@ -350,8 +351,8 @@ TEST(Clean, AMillionPoints) {
 
 TEST(Clean, ManyCopiesAndLongCombs) {
     Rings copies;
-    Dice dice{7};
-    const Ring ring = random_ring(dice, 100, 1000, px);
+    CaseRandom random(7);
+    const Ring ring = random_ring(random, 100, 1000, px);
     for (int i = 0; i < 1001; ++i) copies.push_back(ring);
     EXPECT_LT(seconds_for(copies, FillRule::even_odd), patience);
     Ring hatch;

@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <vector>
 
-#include "base/random.h"
+#include "base/test_cases.h"
 #include "plane/polygon.h"
 
 namespace filigree::oracle {
@@ -16,11 +15,6 @@ constexpr std::int64_t px = std::int64_t{1} << 26;
 
 using Ring = std::vector<Point>;
 using Rings = std::vector<Ring>;
-
-inline std::uint64_t case_count() {
-    const char* text = std::getenv("FILIGREE_CASES");
-    return text == nullptr ? 1000 : std::strtoull(text, nullptr, 10);
-}
 
 // Seconds that a test of speed may take: seconds of work where quadratic ways would take minutes.
 #if defined(__has_feature)
@@ -35,20 +29,10 @@ constexpr double patience = 5;
 #endif
 #undef FILIGREE_SLOW_BUILD
 
-struct Dice {
-    std::uint64_t state = 0;
-
-    double unit() { return to_unit(state = mix(state)); }
-    double between(double low, double high) { return low + (high - low) * unit(); }
-    std::int64_t whole(std::int64_t low, std::int64_t high) {  // in [low, high]
-        return low + static_cast<std::int64_t>(std::floor(unit() * static_cast<double>(high - low + 1)));
-    }
-};
-
-inline Ring random_ring(Dice& dice, std::int64_t points, std::int64_t size, std::int64_t step) {
+inline Ring random_ring(CaseRandom& random, std::int64_t points, std::int64_t size, std::int64_t step) {
     Ring ring;
     for (std::int64_t i = 0; i < points; ++i) {
-        const std::int64_t x = dice.whole(0, size), y = dice.whole(0, size);
+        const std::int64_t x = random.whole(0, size), y = random.whole(0, size);
         ring.push_back({x * step, y * step});
     }
     return ring;

@@ -5,24 +5,24 @@
 #include <algorithm>
 #include <string>
 
+#include "base/test_cases.h"
 #include "plane/inset_test_shapes.h"
 
 namespace filigree {
 namespace {
 
-using test_shapes::Draws;
 
 TEST(EdgeTree, AnswersAsLookingAtEveryEdgeDoes) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        Draws draws{seed};
-        const Polygons shape = test_shapes::wobbly_shape(draws, 100, draws.whole(3, 300), 12);
+        CaseRandom random(seed);
+        const Polygons shape = test_shapes::wobbly_shape(random, 100, random.whole(3, 300), 12);
         const std::vector<Edge> edges = edges_of(shape[0], Point{});
         ASSERT_EQ(edges.size(), shape[0].point_count());
         const EdgeTree tree(edges);
         for (int i = 0; i < 50; ++i) {
-            const double x = draws.between(-130, 130);
-            const double y = draws.between(-130, 130);
+            const double x = random.between(-130, 130);
+            const double y = random.between(-130, 130);
             const Point on_grid = snap({x, y});
             const Vec p = to_px(on_grid);
             double least2 = 1e300;
@@ -39,7 +39,7 @@ TEST(EdgeTree, AnswersAsLookingAtEveryEdgeDoes) {
                 EXPECT_EQ(place.is_inside, is_inside);
                 EXPECT_NEAR(length(place.nearest - p), least, 1e-9);
             }
-            const VecBox box = around(p, draws.between(0, 40));
+            const VecBox box = around(p, random.between(0, 40));
             std::vector<std::uint32_t> found, expected;
             tree.any(box, [&](std::uint32_t e) {
                 if (overlaps(around(edges[e], 0), box)) found.push_back(e);
@@ -54,8 +54,8 @@ TEST(EdgeTree, AnswersAsLookingAtEveryEdgeDoes) {
 }
 
 TEST(EdgeTree, FindsPairsOfEdges) {
-    Draws draws{2};
-    const Polygons shape = test_shapes::wobbly_shape(draws, 100, 333, 12);
+    CaseRandom random(2);
+    const Polygons shape = test_shapes::wobbly_shape(random, 100, 333, 12);
     const EdgeTree tree(edges_of(shape[0], Point{}));
     const std::span<const Edge> edges = tree.edges();
     std::size_t found = 0, expected = 0;

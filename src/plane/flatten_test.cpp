@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/test_cases.h"
 #include "base/elementary.h"
 #include "plane/arc.h"
 #include "plane/clean.h"
@@ -12,8 +13,6 @@
 namespace filigree {
 namespace {
 
-using oracle::case_count;
-using oracle::Dice;
 
 Path parsed(std::string_view data) { return *parse_path_data(data); }
 
@@ -169,21 +168,21 @@ struct Curve {
         return on_svg_arc(path.points[0], rx, ry, rotation, large, sweep, path.points[3], t);
     }
 };
-Curve random_curve(Dice& dice) {
+Curve random_curve(CaseRandom& random) {
     Curve curve;
-    curve.size = std::ldexp(1, static_cast<int>(dice.whole(-3, 12)));
+    curve.size = std::ldexp(1, random.whole(-3, 12));
     const auto point = [&] {
-        const double x = dice.between(-curve.size, curve.size), y = dice.between(-curve.size, curve.size);
+        const double x = random.between(-curve.size, curve.size), y = random.between(-curve.size, curve.size);
         return Vec{x, y};
     };
     curve.path = {{Verb::move}, {point()}};
-    const std::int64_t kind = dice.whole(0, 2);
+    const std::int64_t kind = random.whole(0, 2);
     if (kind == 2) {
-        curve.rx = dice.between(0.01, 1) * curve.size;
-        curve.ry = dice.unit() < 0.3 ? curve.rx : dice.between(0.01, 1) * curve.size;
-        curve.rotation = dice.between(-400, 400);
-        curve.large = dice.unit() < 0.5;
-        curve.sweep = dice.unit() < 0.5;
+        curve.rx = random.between(0.01, 1) * curve.size;
+        curve.ry = random.unit() < 0.3 ? curve.rx : random.between(0.01, 1) * curve.size;
+        curve.rotation = random.between(-400, 400);
+        curve.large = random.unit() < 0.5;
+        curve.sweep = random.unit() < 0.5;
         curve.path.verbs.push_back(Verb::arc);
         curve.path.points.push_back({curve.rx, curve.ry});
         curve.path.points.push_back({curve.rotation, (curve.large ? 1.0 : 0.0) + (curve.sweep ? 2.0 : 0.0)});
@@ -198,9 +197,9 @@ Curve random_curve(Dice& dice) {
 
 TEST(Flatten, StaysWithinTheTolerance) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Dice dice{seed};
-        const Curve curve = random_curve(dice);
-        const double tolerance = curve.size * std::ldexp(1, -static_cast<int>(dice.whole(2, 14)));
+        CaseRandom random(seed);
+        const Curve curve = random_curve(random);
+        const double tolerance = curve.size * std::ldexp(1, -random.whole(2, 14));
         const auto lines = flatten(curve.path, tolerance);
         ASSERT_EQ(lines.size(), 1U);
         ASSERT_EQ(lines[0].points.front(), curve.path.points.front()) << "seed " << seed;
@@ -216,8 +215,8 @@ TEST(Flatten, StaysWithinTheTolerance) {
 
 TEST(Flatten, ACurveAndItsReverseGiveTheSamePoints) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Dice dice{seed};
-        const Curve curve = random_curve(dice);
+        CaseRandom random(seed);
+        const Curve curve = random_curve(random);
         if (curve.bezier.empty()) continue;
         Path reversed = curve.path;
         std::reverse(reversed.points.begin(), reversed.points.end());
@@ -229,18 +228,18 @@ TEST(Flatten, ACurveAndItsReverseGiveTheSamePoints) {
 
 TEST(Transformed, CurvesGoWhereTheirPointsGo) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Dice dice{seed};
-        const Curve curve = random_curve(dice);
-        Transform by{dice.between(-2, 2), dice.between(-2, 2), dice.between(-2, 2), dice.between(-2, 2), 0, 0};
-        switch (dice.whole(0, 5)) {
+        CaseRandom random(seed);
+        const Curve curve = random_curve(random);
+        Transform by{random.between(-2, 2), random.between(-2, 2), random.between(-2, 2), random.between(-2, 2), 0, 0};
+        switch (random.whole(0, 5)) {
             case 0:
-                by = compose(rotation_degrees(dice.between(-360, 360)), scaling(1.5, 1.5));
+                by = compose(rotation_degrees(random.between(-360, 360)), scaling(1.5, 1.5));
                 break;
             case 1:
-                by = compose(rotation_degrees(dice.between(-360, 360)), scaling(-2, 2));
+                by = compose(rotation_degrees(random.between(-360, 360)), scaling(-2, 2));
                 break;
             case 2:
-                by = scaling(dice.between(-2, 2), dice.between(-2, 2));
+                by = scaling(random.between(-2, 2), random.between(-2, 2));
                 break;
             case 3:
                 by.c = by.a * 2, by.d = by.b * 2;
@@ -251,7 +250,7 @@ TEST(Transformed, CurvesGoWhereTheirPointsGo) {
             default:
                 break;
         }
-        by.e = dice.between(-1, 1) * curve.size;
+        by.e = random.between(-1, 1) * curve.size;
         const double tolerance = curve.size * 1e-4;
         const auto lines = flatten(transformed(curve.path, by), tolerance);
         ASSERT_EQ(lines.size(), 1U);
@@ -275,13 +274,13 @@ TEST(Transformed, ArcsStayArcs) {
 // Half circles are where end points tell the centre worst: turned and skewed, their middles must still agree.
 TEST(Transformed, HalfCirclesKeepTheirMiddles) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Dice dice{seed};
-        const double radius = dice.between(1, 100);
-        const Vec centre{dice.between(-500, 500), dice.between(-500, 500)};
+        CaseRandom random(seed);
+        const double radius = random.between(1, 100);
+        const Vec centre{random.between(-500, 500), random.between(-500, 500)};
         const Path half{{Verb::move, Verb::arc},
                         {centre - Vec{radius, 0}, {radius, radius}, {0, 2}, centre + Vec{radius, 0}}};
-        Transform by = rotation_degrees(dice.between(0, 360));
-        if (dice.unit() < 0.5) by = compose(by, scaling(dice.between(0.5, 2), dice.between(0.5, 2)));
+        Transform by = rotation_degrees(random.between(0, 360));
+        if (random.unit() < 0.5) by = compose(by, scaling(random.between(0.5, 2), random.between(0.5, 2)));
         const Path mapped = transformed(half, by);
         const Vec middle = point_at(centre_arc(mapped.points[0], &mapped.points[1], mapped.points[3]), 0.5);
         ASSERT_LE(length(middle - apply(by, centre - Vec{0, radius})), 1e-9 * radius) << "seed " << seed;

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <string>
 
+#include "base/test_cases.h"
 #include "plane/inset_general.h"
 #include "plane/inset_test_shapes.h"
 #include "plane/verify.h"
@@ -14,12 +14,6 @@
 namespace filigree {
 namespace {
 
-using test_shapes::Draws;
-
-std::uint64_t case_count(std::uint64_t normally) {
-    const char* wanted = std::getenv("FILIGREE_CASES");
-    return wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : normally;
-}
 
 std::vector<Point> ring_of(const std::vector<Vec>& corners) {
     std::vector<Point> ring;
@@ -247,8 +241,8 @@ TEST(Inset, CorridorsCloseAtOnce) {
 }
 
 TEST(Inset, SmallDistances) {
-    Draws draws{3};
-    const Polygons shape = test_shapes::wobbly_shape(draws, 100, 60, 0);
+    CaseRandom random(3);
+    const Polygons shape = test_shapes::wobbly_shape(random, 100, 60, 0);
     for (const double distance : {1e-3, 1e-5, 1e-6}) {
         const Inset result = inset_by(shape, distance);
         ASSERT_EQ(result.inner.size(), 1U);
@@ -281,8 +275,8 @@ TEST(Inset, OddOptionsAreHarmless) {
 }
 
 TEST(Inset, FarAwayShapesComeOutTheSame) {
-    Draws draws{12};
-    const Polygons shape = test_shapes::wobbly_shape(draws, 100, 60, 3);
+    CaseRandom random(12);
+    const Polygons shape = test_shapes::wobbly_shape(random, 100, 60, 3);
     const Inset here = inset_by(shape, 3);
     const std::int64_t away = grid_limit - (std::int64_t{1} << 40);
     Polygons moved = shape;
@@ -369,13 +363,13 @@ TEST(Inset, DegenerateInputs) {
     }
 }
 
-Polygons random_shape(Draws& draws) {
-    const int kind = draws.whole(0, 9);
+Polygons random_shape(CaseRandom& random) {
+    const int kind = random.whole(0, 9);
     if (kind < 3) {
-        const std::vector<Point> ring = test_shapes::wild_ring(draws, {0, 0}, 100, draws.whole(4, 30));
+        const std::vector<Point> ring = test_shapes::wild_ring(random, {0, 0}, 100, random.whole(4, 30));
         if (ring.size() >= 3 && doubled_area(ring) > 0) return test_shapes::one_polygon({ring});
     }
-    return test_shapes::wobbly_shape(draws, 100, draws.whole(8, 120), kind < 6 ? 0 : 6);
+    return test_shapes::wobbly_shape(random, 100, random.whole(8, 120), kind < 6 ? 0 : 6);
 }
 
 TEST(Inset, SoundForRandomShapesAndDistances) {
@@ -383,11 +377,11 @@ TEST(Inset, SoundForRandomShapesAndDistances) {
     const std::uint64_t count = case_count(1500);
     for (std::uint64_t seed = 0; seed < count && !::testing::Test::HasFailure(); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        Draws draws{seed};
-        const Polygons shape = random_shape(draws);
-        const double distance = draws.whole(0, 4) == 0 ? draws.between(0.001, 0.1) : draws.between(0.1, 25);
-        const Join join = draws.whole(0, 1) == 0 ? Join::mitre : Join::round;
-        const Inset result = inset_by(shape, distance, join, draws.between(0.001, 0.5));
+        CaseRandom random(seed);
+        const Polygons shape = random_shape(random);
+        const double distance = random.whole(0, 4) == 0 ? random.between(0.001, 0.1) : random.between(0.1, 25);
+        const Join join = random.whole(0, 1) == 0 ? Join::mitre : Join::round;
+        const Inset result = inset_by(shape, distance, join, random.between(0.001, 0.5));
         general += result.took_general_way;
         expect_sound(shape, result, distance);
     }
@@ -400,14 +394,14 @@ TEST(Inset, HoldsExactlyThePointsThatAreFarEnough) {
     const std::uint64_t count = case_count(1500);
     for (std::uint64_t seed = 0; seed < count && !::testing::Test::HasFailure(); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        Draws draws{seed};
-        const Polygons shape = random_shape(draws);
-        const double distance = draws.between(0.1, 12);
+        CaseRandom random(seed);
+        const Polygons shape = random_shape(random);
+        const double distance = random.between(0.1, 12);
         const double tolerance = 0.01;
         const Inset result = inset_by(shape, distance, Join::round, tolerance);
         for (int i = 0; i < 60; ++i) {
-            const double x = draws.between(-110, 110);
-            const double y = draws.between(-110, 110);
+            const double x = random.between(-110, 110);
+            const double y = random.between(-110, 110);
             const Point p = snap({x, y});
             if (locate(shape[0], p) <= 0) continue;
             const double far = distance_to_boundary(shape[0], to_px(p));
@@ -460,13 +454,13 @@ TEST(Inset, AgreesWithAnotherLibrary) {
     const Geos geos;
     const std::uint64_t count = case_count(1000);
     for (std::uint64_t seed = 0; seed < count && !::testing::Test::HasFailure(); ++seed) {
-        Draws draws{seed};
-        const Polygons wobbly = test_shapes::wobbly_shape(draws, 100, draws.whole(20, 120), 6);
-        const Polygons any = random_shape(draws);
+        CaseRandom random(seed);
+        const Polygons wobbly = test_shapes::wobbly_shape(random, 100, random.whole(20, 120), 6);
+        const Polygons any = random_shape(random);
         for (const Join join : {Join::mitre, Join::round}) {
             // Corners past the mitre limit are cut off in different ways, so these must not be too sharp.
             const Polygons& shape = join == Join::mitre ? wobbly : any;
-            const double distance = draws.between(0.1, 20);
+            const double distance = random.between(0.1, 20);
             SCOPED_TRACE("seed " + std::to_string(seed) + " distance " + std::to_string(distance) + " join " +
                          std::to_string(static_cast<int>(join)));
             const double theirs = geos.inset_area(shape[0], distance, join);

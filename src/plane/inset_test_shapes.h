@@ -5,35 +5,23 @@
 #include <vector>
 
 #include "base/elementary.h"
-#include "base/random.h"
+#include "base/test_cases.h"
 #include "plane/polygon.h"
 
 namespace filigree::test_shapes {
 
-struct Draws {  // numbered random values of one test case
-    std::uint64_t seed = 0;
-    std::uint64_t count = 0;
-
-    double unit() { return to_unit(random_bits(seed, Key{7}, 11, count++)); }
-    double between(double low, double high) { return low + (high - low) * unit(); }
-    int whole(int low, int high) {  // both included
-        return low + static_cast<int>(
-                         to_whole(random_bits(seed, Key{7}, 11, count++), static_cast<std::uint32_t>(high - low + 1)));
-    }
-};
-
 // A disc whose radius changes smoothly around it, by up to `wobble` of it, and by up to `jitter` at random.
-inline std::vector<Point> wobbly_ring(Draws& draws, Vec centre, double radius, int count, double wobble,
+inline std::vector<Point> wobbly_ring(CaseRandom& random, Vec centre, double radius, int count, double wobble,
                                       double jitter) {
     double phase[3], size[3];
     for (int k = 0; k < 3; ++k) {
-        phase[k] = draws.between(0, 6.28);
-        size[k] = draws.between(0, wobble / 3);
+        phase[k] = random.between(0, 6.28);
+        size[k] = random.between(0, wobble / 3);
     }
     std::vector<Point> ring;
     for (int i = 0; i < count; ++i) {
         const double angle = 2 * elementary::pi * i / count;
-        double r = 1 + draws.between(-jitter, jitter);
+        double r = 1 + random.between(-jitter, jitter);
         for (int k = 0; k < 3; ++k) r += size[k] * elementary::cos_sin((2 * k + 2) * angle + phase[k]).cos;
         const elementary::CosSin at = elementary::cos_sin(angle);
         ring.push_back(snap(centre + Vec{at.cos, at.sin} * (radius * r)));
@@ -46,11 +34,11 @@ inline bool cross_properly(Point a, Point b, Point c, Point d) {
 }
 
 // Random points joined in random order and untangled: thin arms, sharp corners, deep bays. Empty if that failed.
-inline std::vector<Point> wild_ring(Draws& draws, Vec centre, double radius, int count) {
+inline std::vector<Point> wild_ring(CaseRandom& random, Vec centre, double radius, int count) {
     std::vector<Point> ring;
     for (int i = 0; i < count; ++i) {
-        const double x = draws.between(-radius, radius);
-        const double y = draws.between(-radius, radius);
+        const double x = random.between(-radius, radius);
+        const double y = random.between(-radius, radius);
         ring.push_back(snap(centre + Vec{x, y}));
     }
     const auto n = static_cast<std::size_t>(count);
@@ -84,19 +72,19 @@ inline Polygons one_polygon(const std::vector<std::vector<Point>>& rings) {
 }
 
 // A wobbly disc of some `radius` with up to `most_holes` wobbly holes that keep apart.
-inline Polygons wobbly_shape(Draws& draws, double radius, int count, int most_holes) {
-    std::vector<std::vector<Point>> rings{wobbly_ring(draws, {0, 0}, radius, count, 0.5, 0.02)};
-    const int holes = draws.whole(0, most_holes);
+inline Polygons wobbly_shape(CaseRandom& random, double radius, int count, int most_holes) {
+    std::vector<std::vector<Point>> rings{wobbly_ring(random, {0, 0}, radius, count, 0.5, 0.02)};
+    const int holes = random.whole(0, most_holes);
     std::vector<Vec> centres;
     for (int tries = 0; tries < 40 && static_cast<int>(centres.size()) < holes; ++tries) {
-        const elementary::CosSin at = elementary::cos_sin(draws.between(0, 6.28));
-        const Vec centre = Vec{at.cos, at.sin} * (radius * draws.between(0, 0.32));
+        const elementary::CosSin at = elementary::cos_sin(random.between(0, 6.28));
+        const Vec centre = Vec{at.cos, at.sin} * (radius * random.between(0, 0.32));
         const double size = radius * 0.1;
         const bool is_free = std::all_of(centres.begin(), centres.end(),
                                          [&](Vec other) { return length(other - centre) > 2 * size * 1.4; });
         if (!is_free) continue;
         centres.push_back(centre);
-        rings.push_back(wobbly_ring(draws, centre, size, draws.whole(5, 24), 0.3, 0.05));
+        rings.push_back(wobbly_ring(random, centre, size, random.whole(5, 24), 0.3, 0.05));
     }
     return one_polygon(rings);
 }

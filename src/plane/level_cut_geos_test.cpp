@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "base/test_cases.h"
 #include "plane/level_cut.h"
 #include "plane/level_cut_test_shapes.h"
 
@@ -86,12 +87,12 @@ TEST(LevelCutAgainstGeos, EveryStripHasItsArea) {
     const Geos geos;
     std::size_t strips = 0;
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Draws draws{seed + 8000000};
-        const bool aligned = draws.whole(0, 2) == 0;
-        const Polygons shape = polygon_of(aligned ? cell_shape(draws, 6, 8, false) : wobbly_shape(draws));
-        LevelFamily family = random_family(draws, shape[0]);
+        CaseRandom random(seed + 8000000);
+        const bool aligned = random.whole(0, 2) == 0;
+        const Polygons shape = polygon_of(aligned ? cell_shape(random, 6, 8, false) : wobbly_shape(random));
+        LevelFamily family = random_family(random, shape[0]);
         if (aligned) {
-            family.frame = {{0, 0}, turn({1, 0}, 45 * draws.whole(0, 7))};
+            family.frame = {{0, 0}, turn({1, 0}, 45 * random.whole(0, 7))};
             family.levels.clear();
             for (int k = -12; k <= 12; ++k) family.levels.push_back(8 * k);
             family.first_strip = 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/test_cases.h"
 #include "plane/level_cut_test_laws.h"
 
 namespace filigree {
@@ -20,9 +21,9 @@ Polygons moved(const Polygons& polygons, Point by) {
 
 TEST(LevelCutProperties, WobblyShapes) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Draws draws{seed};
-        const Polygons shape = polygon_of(wobbly_shape(draws));
-        const LevelFamily family = random_family(draws, shape[0]);
+        CaseRandom random(seed);
+        const Polygons shape = polygon_of(wobbly_shape(random));
+        const LevelFamily family = random_family(random, shape[0]);
         expect_partition(shape, family, cut(shape[0], family));
         if (testing::Test::HasFailure()) FAIL() << "seed " << seed;
     }
@@ -32,12 +33,12 @@ TEST(LevelCutProperties, WobblyShapes) {
 // and edges on levels everywhere, rings that touch.
 TEST(LevelCutProperties, AlignedShapes) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Draws draws{seed + 1000000};
+        CaseRandom random(seed + 1000000);
         const double turns[] = {0, 45, 5.729577951308232, 90};
-        const double degrees = turns[draws.whole(0, 3)];
-        const Polygons shape = polygon_of(cell_shape(draws, draws.whole(1, 9), 8, draws.whole(0, 3) == 0), degrees);
-        LevelFamily family = lines(degrees + 45 * draws.whole(0, 7), {});
-        switch (draws.whole(0, 3)) {
+        const double degrees = turns[random.whole(0, 3)];
+        const Polygons shape = polygon_of(cell_shape(random, random.whole(1, 9), 8, random.whole(0, 3) == 0), degrees);
+        LevelFamily family = lines(degrees + 45 * random.whole(0, 7), {});
+        switch (random.whole(0, 3)) {
             case 0:
                 break;
             case 1:
@@ -50,7 +51,7 @@ TEST(LevelCutProperties, AlignedShapes) {
                 family.profile = {8, {0, 0, 8, 8}};
                 break;
         }
-        const double spacing = draws.coin() ? 8 : 4 * std::sqrt(2);
+        const double spacing = random.coin() ? 8 : 4 * std::sqrt(2);
         for (int k = -20; k <= 20; ++k) family.levels.push_back(k * spacing);
         expect_partition(shape, family, cut(shape[0], family));
         if (testing::Test::HasFailure()) FAIL() << "seed " << seed;
@@ -59,20 +60,20 @@ TEST(LevelCutProperties, AlignedShapes) {
 
 TEST(LevelCutProperties, RingStartsAndOrderDoNotMatter) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Draws draws{seed + 2000000};
-        const bool aligned = draws.coin();
-        const Polygons shape = polygon_of(aligned ? cell_shape(draws, 6, 8, false) : wobbly_shape(draws));
-        LevelFamily family = random_family(draws, shape[0]);
-        if (aligned) family = forty_strips(90 * draws.whole(0, 3));
+        CaseRandom random(seed + 2000000);
+        const bool aligned = random.coin();
+        const Polygons shape = polygon_of(aligned ? cell_shape(random, 6, 8, false) : wobbly_shape(random));
+        LevelFamily family = random_family(random, shape[0]);
+        if (aligned) family = forty_strips(90 * random.whole(0, 3));
         std::vector<std::size_t> order(shape[0].ring_count());
         std::iota(order.begin(), order.end(), std::size_t{0});
         for (std::size_t i = order.size(); i > 1; --i) {
-            std::swap(order[i - 1], order[static_cast<std::size_t>(draws.whole(0, static_cast<int>(i) - 1))]);
+            std::swap(order[i - 1], order[random.index(i)]);
         }
         Polygons shuffled;
         for (const std::size_t r : order) {
             std::vector<Point> ring(shape[0].ring(r).begin(), shape[0].ring(r).end());
-            std::rotate(ring.begin(), ring.begin() + draws.whole(0, static_cast<int>(ring.size()) - 1), ring.end());
+            std::rotate(ring.begin(), ring.begin() + random.whole(0, static_cast<int>(ring.size()) - 1), ring.end());
             shuffled.add_ring(ring);
         }
         shuffled.end_polygon();
@@ -84,13 +85,13 @@ TEST(LevelCutProperties, RingStartsAndOrderDoNotMatter) {
 
 TEST(LevelCutProperties, WholeShiftsShiftThePieces) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Draws draws{seed + 3000000};
-        const Polygons shape = polygon_of(wobbly_shape(draws));
-        LevelFamily family = random_family(draws, shape[0]);
+        CaseRandom random(seed + 3000000);
+        const Polygons shape = polygon_of(wobbly_shape(random));
+        LevelFamily family = random_family(random, shape[0]);
         family.frame.origin =
             to_px(snap({std::floor(family.frame.origin.x * 64) / 64, std::floor(family.frame.origin.y * 64) / 64}));
-        const Vec by{static_cast<double>(draws.whole(-100000, 100000)),
-                     static_cast<double>(draws.whole(-100000, 100000))};
+        const Vec by{static_cast<double>(random.whole(-100000, 100000)),
+                     static_cast<double>(random.whole(-100000, 100000))};
         const LevelCut here = cut(shape[0], family);
         family.frame.origin = family.frame.origin + by;
         const LevelCut there = cut(moved(shape, snap(by))[0], family);
@@ -103,19 +104,19 @@ TEST(LevelCutProperties, WholeShiftsShiftThePieces) {
 // share all vertices.
 TEST(LevelCutProperties, DualSplitsConform) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Draws draws{seed + 4000000};
-        const bool aligned = draws.whole(0, 2) == 0;
-        const Polygons shape = polygon_of(aligned ? cell_shape(draws, 6, 8, draws.coin()) : wobbly_shape(draws));
-        LevelFamily family = random_family(draws, shape[0]);
+        CaseRandom random(seed + 4000000);
+        const bool aligned = random.whole(0, 2) == 0;
+        const Polygons shape = polygon_of(aligned ? cell_shape(random, 6, 8, random.coin()) : wobbly_shape(random));
+        LevelFamily family = random_family(random, shape[0]);
         if (aligned) {
-            family = forty_strips(45 * draws.whole(0, 7));
-            if (draws.coin()) family.profile = {10, {0, 10}};
+            family = forty_strips(45 * random.whole(0, 7));
+            if (random.coin()) family.profile = {10, {0, 10}};
         }
         LevelFamily second = family;
         second.frame = turned(family.frame);
         if (!aligned) {
             second.levels.clear();
-            add_levels(draws, second, level_range(shape[0], second.frame, second.profile));
+            add_levels(random, second, level_range(shape[0], second.frame, second.profile));
         }
         const LevelCut first = cut(shape[0], family);
         Polygons pieces;
@@ -132,10 +133,10 @@ TEST(LevelCutProperties, DualSplitsConform) {
 // Any family cuts the pieces of any other: neighbours that share a border get the same points on it.
 TEST(LevelCutProperties, NeighboursConform) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Draws draws{seed + 5000000};
-        const Polygons shape = polygon_of(wobbly_shape(draws));
-        const LevelCut first = cut(shape[0], random_family(draws, shape[0]));
-        const LevelFamily second = random_family(draws, shape[0]);
+        CaseRandom random(seed + 5000000);
+        const Polygons shape = polygon_of(wobbly_shape(random));
+        const LevelCut first = cut(shape[0], random_family(random, shape[0]));
+        const LevelFamily second = random_family(random, shape[0]);
         Polygons pieces;
         for (std::size_t i = 0; i < first.pieces.size(); ++i) pieces.add_all(cut(first.pieces[i], second).pieces);
         EXPECT_NEAR(area(pieces), area(shape), 1e-9 * area(shape));
@@ -146,9 +147,9 @@ TEST(LevelCutProperties, NeighboursConform) {
 
 TEST(LevelCutProperties, TheSameFamilyAgainChangesNothing) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Draws draws{seed + 6000000};
-        const Polygons shape = polygon_of(wobbly_shape(draws));
-        const LevelFamily family = random_family(draws, shape[0]);
+        CaseRandom random(seed + 6000000);
+        const Polygons shape = polygon_of(wobbly_shape(random));
+        const LevelFamily family = random_family(random, shape[0]);
         const LevelCut once = cut(shape[0], family);
         for (std::size_t i = 0; i < once.pieces.size(); ++i) {
             const LevelCut again = cut(once.pieces[i], family);
@@ -162,15 +163,15 @@ TEST(LevelCutProperties, TheSameFamilyAgainChangesNothing) {
 // Levels closer than the tolerance, and steep curves: areas still add up.
 TEST(LevelCutProperties, DenseLevelsAndSteepCurves) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Draws draws{seed + 10000000};
-        const Polygons shape = polygon_of(wobbly_shape(draws));
-        LevelFamily family = random_family(draws, shape[0]);
-        family.profile = {draws.between(0.3, 3), {}};
-        for (int i = draws.whole(1, 20); i > 0; --i) family.profile.samples.push_back(draws.between(-60, 60));
+        CaseRandom random(seed + 10000000);
+        const Polygons shape = polygon_of(wobbly_shape(random));
+        LevelFamily family = random_family(random, shape[0]);
+        family.profile = {random.between(0.3, 3), {}};
+        for (int i = random.whole(1, 20); i > 0; --i) family.profile.samples.push_back(random.between(-60, 60));
         std::vector<double> levels;
         for (const double level : family.levels) {
             levels.push_back(level);
-            for (int i = draws.whole(0, 2); i > 0; --i) levels.push_back(levels.back() + draws.between(1e-9, 1e-5));
+            for (int i = random.whole(0, 2); i > 0; --i) levels.push_back(levels.back() + random.between(1e-9, 1e-5));
         }
         family.levels = levels;
         std::sort(family.levels.begin(), family.levels.end());
@@ -183,9 +184,9 @@ TEST(LevelCutProperties, DenseLevelsAndSteepCurves) {
 
 TEST(LevelCutProperties, RangeIsWhereLevelsCut) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Draws draws{seed + 7000000};
-        const Polygons shape = polygon_of(wobbly_shape(draws));
-        LevelFamily family = random_family(draws, shape[0]);
+        CaseRandom random(seed + 7000000);
+        const Polygons shape = polygon_of(wobbly_shape(random));
+        LevelFamily family = random_family(random, shape[0]);
         const LevelRange range = level_range(shape[0], family.frame, family.profile);
         family.levels = {range.low - 1e-5, range.high + 1e-5};
         EXPECT_EQ(cut(shape[0], family).pieces.size(), 1u) << "seed " << seed;

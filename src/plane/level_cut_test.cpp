@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/test_cases.h"
 #include "plane/level_cut_test_laws.h"
 
 namespace filigree {
@@ -249,18 +250,18 @@ TEST(LevelCut, WhatIsNoFamilyCutsNothing) {
 // Rings of random points break every convention; the cut must end all the same, with pieces in order.
 TEST(LevelCut, EndsOnGarbage) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Draws draws{seed + 9000000};
-        const double side = draws.coin() ? 1 : 30;
-        std::vector<Outline> outlines(static_cast<std::size_t>(draws.whole(1, 4)));
+        CaseRandom random(seed + 9000000);
+        const double side = random.coin() ? 1 : 30;
+        std::vector<Outline> outlines(static_cast<std::size_t>(random.whole(1, 4)));
         for (Outline& outline : outlines) {
-            for (int i = draws.whole(0, 40); i > 0; --i) {
-                outline.push_back({side * draws.whole(-3, 3), side * draws.whole(-3, 3)});
+            for (int i = random.whole(0, 40); i > 0; --i) {
+                outline.push_back({side * random.whole(-3, 3), side * random.whole(-3, 3)});
             }
         }
         const Polygons shape = polygon_of(outlines);
         if (shape.points.empty()) continue;
-        LevelFamily family = lines(45 * draws.whole(0, 7), {-60, -30, -3, -2, -1, 0, 1, 2, 3, 30, 60});
-        family.profile = random_profile(draws);
+        LevelFamily family = lines(45 * random.whole(0, 7), {-60, -30, -3, -2, -1, 0, 1, 2, 3, 30, 60});
+        family.profile = random_profile(random);
         const LevelCut result = cut(shape[0], family);
         EXPECT_TRUE(std::is_sorted(result.strips.begin(), result.strips.end()));
         for (std::size_t i = 0; i < result.pieces.size(); ++i) EXPECT_GE(result.pieces[i].outer().size(), 3u);
@@ -327,13 +328,13 @@ TEST_P(DegenerateCut, DuplicateVertices) {
 }
 
 TEST_P(DegenerateCut, JitterBelowTheTolerance) {
-    Draws draws{5};
+    CaseRandom random(5);
     Outline outline;
     const Vec corners[] = {{0, 0}, {100, 0}, {100, 100}, {0, 100}};
     for (std::size_t side = 0; side < 4; ++side) {
         for (int i = 0; i < 10; ++i) {
             const Vec p = corners[side] + (corners[(side + 1) % 4] - corners[side]) * (i / 10.0);
-            outline.push_back(p + Vec{draws.between(-1e-7, 1e-7), draws.between(-1e-7, 1e-7)});
+            outline.push_back(p + Vec{random.between(-1e-7, 1e-7), random.between(-1e-7, 1e-7)});
         }
     }
     const Polygons shape = polygon_of({outline}, GetParam());

@@ -2,33 +2,14 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <vector>
 
 #include "base/elementary.h"
-#include "base/random.h"
+#include "base/test_cases.h"
 #include "plane/level_cut.h"
 
 namespace filigree::level_cut_shapes {
-
-inline std::uint64_t case_count(std::uint64_t normal = 1000) {
-    const char* text = std::getenv("FILIGREE_CASES");
-    return text == nullptr ? normal : std::strtoull(text, nullptr, 10);
-}
-
-struct Draws {  // numbered random values of one test case
-    std::uint64_t seed = 0;
-    std::uint64_t count = 0;
-
-    std::uint64_t bits() { return random_bits(seed, Key{17}, 23, count++); }
-    double unit() { return to_unit(bits()); }
-    double between(double low, double high) { return low + (high - low) * unit(); }
-    int whole(int low, int high) {  // both included
-        return low + static_cast<int>(to_whole(bits(), static_cast<std::uint32_t>(high - low + 1)));
-    }
-    bool coin() { return whole(0, 1) == 1; }
-};
 
 using Outline = std::vector<Vec>;
 
@@ -47,14 +28,14 @@ inline Polygons polygon_of(const std::vector<Outline>& outlines, double degrees 
     return polygons;
 }
 
-inline Outline wobbly(Draws& draws, Vec centre, double radius, int count, double wobble, bool hole) {
+inline Outline wobbly(CaseRandom& random, Vec centre, double radius, int count, double wobble, bool hole) {
     Outline outline;
-    const double phase = draws.between(0, 6);
-    const int lobes = draws.whole(2, 6);
+    const double phase = random.between(0, 6);
+    const int lobes = random.whole(2, 6);
     for (int i = 0; i < count; ++i) {
         const double angle = 2 * elementary::pi * (hole ? count - i : i) / count;
         const double r =
-            radius * (1 - wobble + wobble * elementary::cos_sin(lobes * angle + phase).sin * draws.between(0.6, 1));
+            radius * (1 - wobble + wobble * elementary::cos_sin(lobes * angle + phase).sin * random.between(0.6, 1));
         const elementary::CosSin at = elementary::cos_sin(angle);
         outline.push_back(centre + r * Vec{at.cos, at.sin});
     }
@@ -62,17 +43,17 @@ inline Outline wobbly(Draws& draws, Vec centre, double radius, int count, double
 }
 
 // A wobbly disc of some 200 px with up to nine holes.
-inline std::vector<Outline> wobbly_shape(Draws& draws) {
-    const Vec centre{draws.between(-500, 500), draws.between(-500, 500)};
+inline std::vector<Outline> wobbly_shape(CaseRandom& random) {
+    const Vec centre{random.between(-500, 500), random.between(-500, 500)};
     const double size = 100;
-    std::vector<Outline> outlines{wobbly(draws, centre, size, draws.whole(3, 150), 0.2, false)};
+    std::vector<Outline> outlines{wobbly(random, centre, size, random.whole(3, 150), 0.2, false)};
     // The outer ring's edges stay outside half its radius where it has enough of them.
     if (outlines[0].size() < 12) return outlines;
     for (int x = -1; x <= 1; ++x) {
         for (int y = -1; y <= 1; ++y) {
-            if (draws.coin()) continue;
+            if (random.coin()) continue;
             outlines.push_back(
-                wobbly(draws, centre + Vec{20.0 * x, 20.0 * y}, draws.between(1, 9), draws.whole(3, 30), 0.3, true));
+                wobbly(random, centre + Vec{20.0 * x, 20.0 * y}, random.between(1, 9), random.whole(3, 30), 0.3, true));
         }
     }
     return outlines;
@@ -80,14 +61,14 @@ inline std::vector<Outline> wobbly_shape(Draws& draws) {
 
 // The outline of a connected set of cells of side `side`: every vertex on one lattice, touching rings among
 // them. `pinched`: where two cells meet at a corner the ring comes there twice instead of touching another.
-inline std::vector<Outline> cell_shape(Draws& draws, int size, double side, bool pinched) {
+inline std::vector<Outline> cell_shape(CaseRandom& random, int size, double side, bool pinched) {
     std::vector<std::vector<int>> cell(static_cast<std::size_t>(size + 2),
                                        std::vector<int>(static_cast<std::size_t>(size + 2), 0));
     const auto at = [&](int x, int y) -> int& {
         return cell[static_cast<std::size_t>(x + 1)][static_cast<std::size_t>(y + 1)];
     };
     for (int x = 0; x < size; ++x) {
-        for (int y = 0; y < size; ++y) at(x, y) = draws.unit() < 0.65 ? 1 : 0;
+        for (int y = 0; y < size; ++y) at(x, y) = random.unit() < 0.65 ? 1 : 0;
     }
     at(size / 2, size / 2) = 1;
     std::vector<std::pair<int, int>> stack{{size / 2, size / 2}};
@@ -146,15 +127,15 @@ inline std::vector<Outline> cell_shape(Draws& draws, int size, double side, bool
     return outlines;
 }
 
-inline Profile random_profile(Draws& draws) {
+inline Profile random_profile(CaseRandom& random) {
     Profile profile;
-    switch (draws.whole(0, 3)) {
+    switch (random.whole(0, 3)) {
         case 0:
             break;
         case 1: {
-            profile.step = draws.between(0.5, 6);
-            const int count = draws.whole(5, 90);
-            const double size = draws.between(0, 12);
+            profile.step = random.between(0.5, 6);
+            const int count = random.whole(5, 90);
+            const double size = random.between(0, 12);
             for (int i = 0; i < count; ++i) {
                 const double angle = 2 * elementary::pi * i / count;
                 profile.samples.push_back(size * elementary::cos_sin(angle).sin +
@@ -163,40 +144,40 @@ inline Profile random_profile(Draws& draws) {
             break;
         }
         case 2: {
-            profile.step = draws.between(2, 20);
-            profile.samples = {0, draws.between(0, 20)};
+            profile.step = random.between(2, 20);
+            profile.samples = {0, random.between(0, 20)};
             break;
         }
         case 3: {
-            profile.step = draws.between(0.3, 30);
-            const int count = draws.whole(1, 30);
-            for (int i = 0; i < count; ++i) profile.samples.push_back(draws.between(-8, 8));
+            profile.step = random.between(0.3, 30);
+            const int count = random.whole(1, 30);
+            for (int i = 0; i < count; ++i) profile.samples.push_back(random.between(-8, 8));
             break;
         }
     }
     return profile;
 }
 
-inline void add_levels(Draws& draws, LevelFamily& family, LevelRange range) {
+inline void add_levels(CaseRandom& random, LevelFamily& family, LevelRange range) {
     const double width = range.high - range.low;
-    const int count = draws.whole(0, 30);
-    double level = range.low - 0.3 * width * draws.unit();
-    const double uniform = draws.coin() ? 1.5 * width / (count + 1) : 0;
+    const int count = random.whole(0, 30);
+    double level = range.low - 0.3 * width * random.unit();
+    const double uniform = random.coin() ? 1.5 * width / (count + 1) : 0;
     for (int i = 0; i < count; ++i) {
-        level += uniform > 0 ? uniform : draws.between(0.001, 3) * width / (count + 1);
+        level += uniform > 0 ? uniform : random.between(0.001, 3) * width / (count + 1);
         family.levels.push_back(level);
     }
-    family.first_strip = draws.whole(-5, 5);
+    family.first_strip = random.whole(-5, 5);
 }
 
-inline LevelFamily random_family(Draws& draws, PolygonView shape) {
+inline LevelFamily random_family(CaseRandom& random, PolygonView shape) {
     LevelFamily family;
     const Box box = bounds(shape);
     const Vec low = to_px(box.min), high = to_px(box.max);
-    family.frame.origin = {draws.between(low.x, high.x), draws.between(low.y, high.y)};
-    family.frame.direction = turn({1, 0}, draws.whole(0, 3) == 0 ? 45 * draws.whole(0, 7) : draws.between(0, 360));
-    family.profile = random_profile(draws);
-    add_levels(draws, family, level_range(shape, family.frame, family.profile));
+    family.frame.origin = {random.between(low.x, high.x), random.between(low.y, high.y)};
+    family.frame.direction = turn({1, 0}, random.whole(0, 3) == 0 ? 45 * random.whole(0, 7) : random.between(0, 360));
+    family.profile = random_profile(random);
+    add_levels(random, family, level_range(shape, family.frame, family.profile));
     return family;
 }
 

@@ -3,14 +3,13 @@
 #include <cmath>
 #include <limits>
 
+#include "base/test_cases.h"
 #include "plane/clean_test_oracle.h"
 #include "plane/path.h"
 
 namespace filigree {
 namespace {
 
-using oracle::case_count;
-using oracle::Dice;
 
 std::string canonical(std::string_view data) {
     const Result<Path> path = parse_path_data(data);
@@ -95,33 +94,33 @@ TEST(PathData, ErrorsSayWhereAndWhat) {
     }
 }
 
-double random_number(Dice& dice) {
-    switch (dice.whole(0, 4)) {
+double random_number(CaseRandom& random) {
+    switch (random.whole(0, 4)) {
         case 0:
-            return static_cast<double>(dice.whole(-20, 20));
+            return static_cast<double>(random.whole(-20, 20));
         case 1:
             return 0;
         case 2:
-            return dice.between(-1000, 1000);
+            return random.between(-1000, 1000);
         case 3:
-            return std::ldexp(dice.between(-1, 1), static_cast<int>(dice.whole(-1000, 1000)));
+            return std::ldexp(random.between(-1, 1), random.whole(-1000, 1000));
         default:
-            return static_cast<double>(dice.whole(-999, 999)) / 100;
+            return static_cast<double>(random.whole(-999, 999)) / 100;
     }
 }
 
 TEST(PathData, RoundTrips) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Dice dice{seed};
+        CaseRandom random(seed);
         Path path;
-        for (std::int64_t i = dice.whole(0, 12); i > 0; --i) {
-            const Verb verb = path.verbs.empty() ? Verb::move : static_cast<Verb>(dice.whole(0, 5));
+        for (std::int64_t i = random.whole(0, 12); i > 0; --i) {
+            const Verb verb = path.verbs.empty() ? Verb::move : static_cast<Verb>(random.whole(0, 5));
             path.verbs.push_back(verb);
             for (std::size_t k = 0; k < point_count(verb); ++k) {
-                const double x = random_number(dice), y = random_number(dice);
+                const double x = random_number(random), y = random_number(random);
                 path.points.push_back({x, y});
             }
-            if (verb == Verb::arc) path.points[path.points.size() - 2].y = static_cast<double>(dice.whole(0, 3));
+            if (verb == Verb::arc) path.points[path.points.size() - 2].y = static_cast<double>(random.whole(0, 3));
         }
         const std::string data = to_path_data(path);
         const Result<Path> again = parse_path_data(data);
@@ -134,10 +133,10 @@ TEST(PathData, RoundTrips) {
 TEST(PathData, SurvivesAnyBytes) {
     constexpr std::string_view letters = "MmLlHhVvCcSsQqTtAaZz0123456789.-+eE, \n\xC3xn";
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Dice dice{seed};
-        std::string data = dice.unit() < 0.9 ? "M0 0" : "";
-        for (std::int64_t i = dice.whole(0, 40); i > 0; --i) {
-            data += letters[static_cast<std::size_t>(dice.whole(0, static_cast<std::int64_t>(letters.size()) - 1))];
+        CaseRandom random(seed);
+        std::string data = random.unit() < 0.9 ? "M0 0" : "";
+        for (std::int64_t i = random.whole(0, 40); i > 0; --i) {
+            data += letters[random.index(letters.size())];
         }
         const Result<Path> path = parse_path_data(data);
         if (path) {

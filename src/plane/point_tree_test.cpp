@@ -3,25 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 
-#include "base/random.h"
+#include "base/test_cases.h"
 
 namespace filigree {
 namespace {
-
-std::uint64_t case_count() {
-    const char* text = std::getenv("FILIGREE_CASES");
-    return text == nullptr ? 1000 : std::strtoull(text, nullptr, 10);
-}
-
-struct Dice {
-    std::uint64_t state = 0;
-    std::int64_t whole(std::int64_t low, std::int64_t high) {  // in [low, high]
-        state = mix(state);
-        return low + static_cast<std::int64_t>(to_whole(state, static_cast<std::uint32_t>(high - low + 1)));
-    }
-};
 
 std::vector<Point> find_near(const PointTree& tree, Point a, Point b, double distance) {
     std::vector<Point> found;
@@ -53,20 +39,20 @@ TEST(PointTree, TakesTheWholePlane) {
 
 TEST(PointTree, FindsAllThatAreNear) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Dice dice{mix(seed)};
-        const std::int64_t range = std::int64_t{1} << dice.whole(3, 30);
-        const auto place = [&] { return Point{dice.whole(-range, range), dice.whole(-range, range)}; };
-        std::vector<Point> points(static_cast<std::size_t>(dice.whole(0, 300)));
+        CaseRandom random(seed);
+        const std::int64_t range = std::int64_t{1} << random.whole(3, 30);
+        const auto place = [&] { return Point{random.whole(-range, range), random.whole(-range, range)}; };
+        std::vector<Point> points(static_cast<std::size_t>(random.whole(0, 300)));
         for (Point& p : points) {
             p = place();
-            if (dice.whole(0, 1) == 0) p = {p.x / 1000, p.y / 1000};  // a cluster
+            if (random.whole(0, 1) == 0) p = {p.x / 1000, p.y / 1000};  // a cluster
         }
         const PointTree tree(points);
         std::sort(points.begin(), points.end());
         points.erase(std::unique(points.begin(), points.end()), points.end());
         for (int query = 0; query < 5; ++query) {
             const Point a = place(), b = place();
-            const double distance = static_cast<double>(dice.whole(0, range)) / static_cast<double>(dice.whole(1, 100));
+            const double distance = static_cast<double>(random.whole(0, range)) / static_cast<double>(random.whole(1, 100));
             const std::vector<Point> found = find_near(tree, a, b, distance);
             ASSERT_TRUE(std::adjacent_find(found.begin(), found.end()) == found.end()) << "seed " << seed;
             for (const Point p : points) {

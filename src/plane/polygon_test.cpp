@@ -4,6 +4,7 @@
 
 #include <ctime>
 
+#include "base/test_cases.h"
 #include "plane/clean_test_oracle.h"
 
 namespace filigree {
@@ -102,9 +103,9 @@ TEST(Locate, SquareWithAHole) {
 
 TEST(Locate, AgreesWithARayTheOtherWay) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Dice dice{seed};
-        const std::int64_t step = dice.unit() < 0.5 ? 1 : grid_limit / 8;
-        const Ring ring = random_ring(dice, dice.whole(3, 12), 8, step);
+        CaseRandom random(seed);
+        const std::int64_t step = random.unit() < 0.5 ? 1 : grid_limit / 8;
+        const Ring ring = random_ring(random, random.whole(3, 12), 8, step);
         for (std::int64_t x = 0; x <= 8; ++x) {
             for (std::int64_t y = 0; y <= 8; ++y) {
                 const Winding winding = winding_at({ring}, {x * step, y * step});
@@ -183,18 +184,18 @@ struct Nest {
     Rings rings;
     std::vector<std::size_t> holders;  // of every ring, the outer that holds it
 };
-void fill(Nest& nest, Dice& dice, Box room, bool is_hole, std::size_t holder, int depth) {
-    const std::int64_t columns = dice.whole(1, 3), rows = dice.whole(1, 3);
+void fill(Nest& nest, CaseRandom& random, Box room, bool is_hole, std::size_t holder, int depth) {
+    const std::int64_t columns = random.whole(1, 3), rows = random.whole(1, 3);
     const std::int64_t width = (room.max.x - room.min.x) / columns, height = (room.max.y - room.min.y) / rows;
     if (width < 8 || height < 8) return;
     for (std::int64_t i = 0; i < columns; ++i) {
         for (std::int64_t j = 0; j < rows; ++j) {
-            if (dice.unit() < 0.2) continue;
+            if (random.unit() < 0.2) continue;
             const std::int64_t x0 = room.min.x + i * width, y0 = room.min.y + j * height;
             const Box box{{x0 + 1, y0 + 1}, {x0 + width - 1, y0 + height - 1}};
             const std::size_t index = nest.rings.size();
             // A diamond now and then: it touches its neighbours' corners and the walls.
-            if (dice.unit() < 0.3) {
+            if (random.unit() < 0.3) {
                 const Point middle{x0 + width / 2, y0 + height / 2};
                 Ring diamond{{x0, middle.y}, {middle.x, y0}, {x0 + width, middle.y}, {middle.x, y0 + height}};
                 if (is_hole) std::reverse(diamond.begin(), diamond.end());
@@ -204,20 +205,20 @@ void fill(Nest& nest, Dice& dice, Box room, bool is_hole, std::size_t holder, in
             }
             nest.rings.push_back(rectangle(box.min.x, box.min.y, box.max.x, box.max.y, is_hole));
             nest.holders.push_back(holder);
-            if (depth > 0) fill(nest, dice, box, !is_hole, is_hole ? holder : index, depth - 1);
+            if (depth > 0) fill(nest, random, box, !is_hole, is_hole ? holder : index, depth - 1);
         }
     }
 }
 
 TEST(NestRings, RandomNests) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Dice dice{seed};
+        CaseRandom random(seed);
         Nest nest;
-        fill(nest, dice, {{0, 0}, {1000, 1000}}, false, SIZE_MAX, 4);
+        fill(nest, random, {{0, 0}, {1000, 1000}}, false, SIZE_MAX, 4);
         std::vector<std::size_t> order(nest.rings.size());
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
         for (std::size_t i = order.size(); i > 1; --i) {
-            std::swap(order[i - 1], order[static_cast<std::size_t>(dice.whole(0, static_cast<std::int64_t>(i) - 1))]);
+            std::swap(order[i - 1], order[random.index(i)]);
         }
         Rings shuffled;
         Polygons expected;

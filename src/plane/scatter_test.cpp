@@ -4,21 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <string>
 
+#include "base/test_cases.h"
 #include "plane/inset_test_shapes.h"
 
 namespace filigree {
 namespace {
 
-using test_shapes::Draws;
-
-std::uint64_t case_count(std::uint64_t normally) {
-    const char* wanted = std::getenv("FILIGREE_CASES");
-    return wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : normally;
-}
 
 Polygons rectangle(Vec min, Vec max) {
     return test_shapes::one_polygon({{snap(min), snap({max.x, min.y}), snap(max), snap({min.x, max.y})}});
@@ -58,10 +52,10 @@ TEST(Scatter, KeepsSpacingAndClearanceAndLeavesNoGap) {
     const std::uint64_t count = case_count(300);
     for (std::uint64_t seed = 0; seed < count && !::testing::Test::HasFailure(); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        Draws draws{seed};
-        const Polygons region = test_shapes::wobbly_shape(draws, 100, draws.whole(8, 80), 6);
-        const double spacing = draws.between(6, 60);
-        const double clearance = draws.whole(0, 2) == 0 ? 0 : draws.between(0, 12);
+        CaseRandom random(seed);
+        const Polygons region = test_shapes::wobbly_shape(random, 100, random.whole(8, 80), 6);
+        const double spacing = random.between(6, 60);
+        const double clearance = random.whole(0, 2) == 0 ? 0 : random.between(0, 12);
         const std::vector<ScatteredPoint> points = scattered(region, spacing, clearance, seed);
         for (std::size_t i = 0; i < points.size(); ++i) {
             EXPECT_EQ(locate(region[0], snap(points[i].at)), 1);
@@ -70,8 +64,8 @@ TEST(Scatter, KeepsSpacingAndClearanceAndLeavesNoGap) {
             EXPECT_TRUE(i == 0 || points[i - 1].cell < points[i].cell);
         }
         for (int probe = 0; probe < 300; ++probe) {
-            const double x = draws.between(-120, 120);
-            const double y = draws.between(-120, 120);
+            const double x = random.between(-120, 120);
+            const double y = random.between(-120, 120);
             if (locate(region[0], snap({x, y})) < 1) continue;
             if (distance_to_boundary(region[0], {x, y}) < clearance + 1e-3) continue;
             EXPECT_LT(distance_to_points(points, {x, y}), spacing * (1 + 1e-3)) << x << ", " << y << " is free";
@@ -80,8 +74,8 @@ TEST(Scatter, KeepsSpacingAndClearanceAndLeavesNoGap) {
 }
 
 TEST(Scatter, DiscsOfTheClearanceDoNotTouchTheBorder) {
-    Draws draws{4};
-    const Polygons region = test_shapes::wobbly_shape(draws, 100, 90, 6);
+    CaseRandom random(4);
+    const Polygons region = test_shapes::wobbly_shape(random, 100, 90, 6);
     for (const double clearance : {0.001, 1.0, 7.5}) {
         const std::vector<ScatteredPoint> points = scattered(region, 5, clearance);
         EXPECT_GT(points.size(), 10U);
@@ -98,8 +92,8 @@ TEST(Scatter, IsAsDenseAsRandomPointsGet) {
 }
 
 TEST(Scatter, DoesNotDependOnWhereRingsStart) {
-    Draws draws{9};
-    const Polygons region = test_shapes::wobbly_shape(draws, 100, 60, 6);
+    CaseRandom random(9);
+    const Polygons region = test_shapes::wobbly_shape(random, 100, 60, 6);
     Polygons turned = region;
     std::size_t first = 0;
     for (const std::uint32_t end : region.ring_ends) {
@@ -186,11 +180,11 @@ TEST(Scatter, StopsAtTheLimit) {
 }
 
 TEST(Scatter, RegionsOfThousandsOfHoles) {
-    Draws draws{5};
+    CaseRandom random(5);
     std::vector<std::vector<Point>> rings{{snap({0, 0}), snap({1000, 0}), snap({1000, 1000}), snap({0, 1000})}};
     for (int i = 0; i < 2500; ++i) {
         const Vec centre{20.0 * (i % 50) + 10, 20.0 * (i / 50) + 10};
-        rings.push_back(test_shapes::wobbly_ring(draws, centre, draws.between(3, 8), 16, 0.1, 0));
+        rings.push_back(test_shapes::wobbly_ring(random, centre, random.between(3, 8), 16, 0.1, 0));
     }
     const Polygons region = test_shapes::one_polygon(rings);
     const auto points = scattered(region, 4, 0.5);

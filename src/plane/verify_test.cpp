@@ -3,32 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <vector>
 
-#include "base/random.h"
+#include "base/test_cases.h"
 
 namespace filigree {
 namespace {
 
 constexpr std::int64_t px = std::int64_t{1} << 26;
 constexpr std::int64_t tolerance_units = 64;  // verify_tolerance on the grid
-
-std::uint64_t case_count() {
-    const char* text = std::getenv("FILIGREE_CASES");
-    return text == nullptr ? 1000 : std::strtoull(text, nullptr, 10);
-}
-
-struct Dice {
-    std::uint64_t state = 0;
-    std::int64_t whole(std::int64_t low, std::int64_t high) {  // in [low, high]
-        state = mix(state);
-        return low + static_cast<std::int64_t>(to_whole(state, static_cast<std::uint32_t>(high - low + 1)));
-    }
-    std::size_t index(std::size_t count) {
-        return static_cast<std::size_t>(whole(0, static_cast<std::int64_t>(count) - 1));
-    }
-};
 
 using Ring = std::vector<Point>;
 using Rings = std::vector<Ring>;
@@ -71,7 +54,7 @@ testing::AssertionResult says(const std::string& text, const std::string& part) 
 }
 
 // A simple ring around the origin: points by angle, radii in [low, high] px.
-Ring star(Dice& dice, std::size_t count, std::int64_t low, std::int64_t high) {
+Ring star(CaseRandom& random, std::size_t count, std::int64_t low, std::int64_t high) {
     Ring ring;
     const auto half = [](Point p) { return p.y > 0 || (p.y == 0 && p.x > 0) ? 0 : 1; };
     const auto before = [&](Point a, Point b) {
@@ -80,13 +63,13 @@ Ring star(Dice& dice, std::size_t count, std::int64_t low, std::int64_t high) {
     const auto same_ray = [&](Point a, Point b) { return half(a) == half(b) && cross({0, 0}, a, b) == 0; };
     Ring rays = {{1000, 0}, {0, 1000}, {-1000, 0}, {0, -1000}};  // so that the origin lies inside
     while (rays.size() < count) {
-        const Point ray{dice.whole(-1000, 1000), dice.whole(-1000, 1000)};
+        const Point ray{random.whole(-1000, 1000), random.whole(-1000, 1000)};
         if (ray != Point{}) rays.push_back(ray);
     }
     std::sort(rays.begin(), rays.end(), before);
     rays.erase(std::unique(rays.begin(), rays.end(), same_ray), rays.end());
     for (const Point ray : rays) {
-        const double radius = static_cast<double>(dice.whole(low * 1000, high * 1000)) / 1000;
+        const double radius = static_cast<double>(random.whole(low * 1000, high * 1000)) / 1000;
         const Vec at{static_cast<double>(ray.x), static_cast<double>(ray.y)};
         ring.push_back(snap(at * (radius / length(at))));
     }
@@ -94,11 +77,11 @@ Ring star(Dice& dice, std::size_t count, std::int64_t low, std::int64_t high) {
 }
 
 // A star with up to four star-shaped holes, far enough apart.
-Rings random_polygon(Dice& dice) {
-    Rings rings = {star(dice, static_cast<std::size_t>(dice.whole(8, 60)), 70, 100)};
-    const std::int64_t holes = dice.whole(0, 4);
+Rings random_polygon(CaseRandom& random) {
+    Rings rings = {star(random, static_cast<std::size_t>(random.whole(8, 60)), 70, 100)};
+    const std::int64_t holes = random.whole(0, 4);
     for (std::int64_t i = 0; i < holes; ++i) {
-        const Ring round = star(dice, static_cast<std::size_t>(dice.whole(4, 20)), 4, 15);
+        const Ring round = star(random, static_cast<std::size_t>(random.whole(4, 20)), 4, 15);
         rings.push_back(reversed(moved(round, {(i % 2 == 0 ? 20 : -20) * px, (i < 2 ? 20 : -20) * px})));
     }
     return rings;
@@ -203,22 +186,22 @@ TEST(FindFlaw, ForgivesWhatRoundingDoes) {
 
 TEST(FindFlaw, PassesRandomPolygonsAndFindsEachMutation) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Dice dice{mix(seed)};
-        const Rings good = random_polygon(dice);
+        CaseRandom random(seed);
+        const Rings good = random_polygon(random);
         ASSERT_EQ(flaw_of(good), "") << "seed " << seed;
 
-        const std::size_t r = dice.index(good.size());
+        const std::size_t r = random.index(good.size());
         Rings bad = good;
         bad[r] = reversed(bad[r]);
         ASSERT_NE(flaw_of(bad), "") << "turned ring, seed " << seed;
 
         bad = good;
-        const std::size_t at = dice.index(bad[r].size());
+        const std::size_t at = random.index(bad[r].size());
         bad[r].insert(bad[r].begin() + static_cast<std::ptrdiff_t>(at), bad[r][at]);
         ASSERT_TRUE(says(flaw_of(bad), "repeats")) << "repeated point, seed " << seed;
 
         bad = good;
-        std::swap(bad[0][at % bad[0].size()], bad[0][dice.index(bad[0].size())]);
+        std::swap(bad[0][at % bad[0].size()], bad[0][random.index(bad[0].size())]);
         if (crosses_itself(bad[0])) {
             ASSERT_NE(flaw_of(bad), "") << "swapped points, seed " << seed;
         }
@@ -231,7 +214,7 @@ TEST(FindFlaw, PassesRandomPolygonsAndFindsEachMutation) {
 
         if (good.size() > 1) {
             bad = good;
-            bad[1] = moved(bad[1], {dice.whole(-1000, 1000) * px, 300 * px});
+            bad[1] = moved(bad[1], {random.whole(-1000, 1000) * px, 300 * px});
             ASSERT_TRUE(says(flaw_of(bad), "ring 1, a hole, reaches outside")) << "far hole, seed " << seed;
             // Across the outer ring, around one of its vertices.
             bad = good;
@@ -240,7 +223,7 @@ TEST(FindFlaw, PassesRandomPolygonsAndFindsEachMutation) {
         }
         if (good.size() > 2) {
             bad = good;
-            bad[2] = moved(bad[2], {dice.whole(35, 45) * px, dice.whole(-5, 5) * px});
+            bad[2] = moved(bad[2], {random.whole(35, 45) * px, random.whole(-5, 5) * px});
             ASSERT_NE(flaw_of(bad), "") << "holes over one another, seed " << seed;
         }
     }
@@ -291,13 +274,13 @@ TEST(FindOverlap, IgnoresWhatIsNoPolygon) {
 // A partition into triangles of jittered quadrilaterals; then one vertex moved, one polygon doubled.
 TEST(FindOverlap, PassesRandomPartitionsAndFindsEachMutation) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Dice dice{mix(seed)};
-        const std::int64_t n = dice.whole(1, 12), cell = 10 * px;
+        CaseRandom random(seed);
+        const std::int64_t n = random.whole(1, 12), cell = 10 * px;
         const std::size_t side = static_cast<std::size_t>(n) + 1;
         Ring lattice;
         for (std::int64_t y = 0; y <= n; ++y) {
             for (std::int64_t x = 0; x <= n; ++x) {
-                lattice.push_back({x * cell + dice.whole(-px, px), y * cell + dice.whole(-px, px)});
+                lattice.push_back({x * cell + random.whole(-px, px), y * cell + random.whole(-px, px)});
             }
         }
         std::vector<Rings> good;
@@ -305,7 +288,7 @@ TEST(FindOverlap, PassesRandomPartitionsAndFindsEachMutation) {
             for (std::size_t x = 0; x + 1 < side; ++x) {
                 const std::size_t i = y * side + x;
                 const Point a = lattice[i], b = lattice[i + 1], c = lattice[i + side + 1], d = lattice[i + side];
-                if (dice.whole(0, 1) == 0) {
+                if (random.whole(0, 1) == 0) {
                     good.push_back({{a, b, c}});
                     good.push_back({{a, c, d}});
                 } else {
@@ -316,7 +299,7 @@ TEST(FindOverlap, PassesRandomPartitionsAndFindsEachMutation) {
         ASSERT_EQ(overlap_of(good), "") << "seed " << seed;
 
         std::vector<Rings> bad = good;
-        bad.push_back(bad[dice.index(bad.size())]);
+        bad.push_back(bad[random.index(bad.size())]);
         ASSERT_TRUE(says(overlap_of(bad), "overlap")) << "doubled, seed " << seed;
 
         if (n < 2) continue;

@@ -3,12 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <utility>
 #include <vector>
 
-#include "base/random.h"
+#include "base/test_cases.h"
 #include "plane/verify.h"
 
 namespace filigree {
@@ -16,23 +15,6 @@ namespace {
 
 constexpr std::int64_t px = std::int64_t{1} << 26;
 constexpr double tolerance = 0x1p-22;  // px; 16 grid units
-
-std::uint64_t case_count() {
-    const char* text = std::getenv("FILIGREE_CASES");
-    return text == nullptr ? 1000 : std::strtoull(text, nullptr, 10);
-}
-
-struct Dice {
-    std::uint64_t state = 0;
-    std::int64_t whole(std::int64_t low, std::int64_t high) {  // in [low, high]
-        state = mix(state);
-        return low + static_cast<std::int64_t>(to_whole(state, static_cast<std::uint32_t>(high - low + 1)));
-    }
-    double real(double low, double high) {
-        state = mix(state);
-        return low + (high - low) * to_unit(state);
-    }
-};
 
 using Ring = std::vector<Point>;
 
@@ -149,12 +131,12 @@ TEST(Weld, TakesHoles) {
 // Vertices inserted may come within reach of others: the weld goes on until nothing changes.
 TEST(Weld, IsDoneOnceOnCrowdedPoints) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Dice dice{mix(seed)};
-        const std::int64_t range = dice.whole(4, 4000);
-        std::vector<Ring> rings(static_cast<std::size_t>(dice.whole(1, 20)));
+        CaseRandom random(seed);
+        const std::int64_t range = random.whole(4, 4000);
+        std::vector<Ring> rings(static_cast<std::size_t>(random.whole(1, 20)));
         for (Ring& ring : rings) {
-            ring.resize(static_cast<std::size_t>(dice.whole(1, 6)));
-            for (Point& p : ring) p = {dice.whole(-range, range), dice.whole(-20, 20)};
+            ring.resize(static_cast<std::size_t>(random.whole(1, 6)));
+            for (Point& p : ring) p = {random.whole(-range, range), random.whole(-20, 20)};
         }
         const Polygons once = weld(polygons_of(rings));
         ASSERT_EQ(weld(once), once) << "seed " << seed;
@@ -167,15 +149,15 @@ struct Partition {
     Ring start;
     std::vector<Ring> parts;
 };
-Partition random_partition(Dice& dice) {
+Partition random_partition(CaseRandom& random) {
     Partition partition;
-    const Vec d = Vec{dice.real(-1, 1), dice.real(0.1, 1)} * dice.real(50, 500);  // a rotated rectangle
-    const Vec o{dice.real(-1e4, 1e4), dice.real(-1e4, 1e4)}, e = perpendicular(d) * dice.real(0.5, 2);
+    const Vec d = Vec{random.between(-1, 1), random.between(0.1, 1)} * random.between(50, 500);  // a rotated rectangle
+    const Vec o{random.between(-1e4, 1e4), random.between(-1e4, 1e4)}, e = perpendicular(d) * random.between(0.5, 2);
     partition.start = {snap(o), snap(o + d), snap(o + d + e), snap(o + e)};
-    std::vector<std::pair<Ring, int>> waiting = {{partition.start, static_cast<int>(dice.whole(0, 8))}};
+    std::vector<std::pair<Ring, int>> waiting = {{partition.start, random.whole(0, 8)}};
     const auto place_on = [&](const Ring& ring, std::size_t i) {
         const Vec a = to_px(ring[i]), b = to_px(ring[(i + 1) % ring.size()]);
-        return snap(a + dice.real(0.2, 0.8) * (b - a));
+        return snap(a + random.between(0.2, 0.8) * (b - a));
     };
     while (!waiting.empty()) {
         auto [ring, splits] = waiting.back();
@@ -193,7 +175,7 @@ Partition random_partition(Dice& dice) {
             if (edge_length(i) > edge_length(first)) first = i;
         }
         std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(first), ring.end());
-        const std::size_t across = ring.size() / 2 - static_cast<std::size_t>(ring.size() == 3 ? dice.whole(-1, 0) : 0);
+        const std::size_t across = ring.size() / 2 - static_cast<std::size_t>(ring.size() == 3 ? random.whole(-1, 0) : 0);
         const Point p = place_on(ring, 0), q = place_on(ring, across);
         Ring low = {p}, high = {q};
         low.insert(low.end(), ring.begin() + 1, ring.begin() + static_cast<std::ptrdiff_t>(across) + 1);
@@ -202,7 +184,7 @@ Partition random_partition(Dice& dice) {
         high.push_back(ring[0]);
         high.push_back(p);
         waiting.push_back({low, splits - 1});
-        waiting.push_back({high, splits - 1 - static_cast<int>(dice.whole(0, splits > 1 ? 1 : 0))});
+        waiting.push_back({high, splits - 1 - static_cast<int>(random.whole(0, splits > 1 ? 1 : 0))});
     }
     return partition;
 }
@@ -218,8 +200,8 @@ bool lies_on_rim(const Ring& rim, Point p) {
 TEST(Weld, MakesPartitionsOfPartitionsWithTJunctions) {
     std::size_t inserted = 0;
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Dice dice{mix(seed)};
-        const Partition partition = random_partition(dice);
+        CaseRandom random(seed);
+        const Partition partition = random_partition(random);
         const Polygons before = polygons_of(partition.parts);
         const Polygons after = weld(before, tolerance);
         inserted += after.points.size() - before.points.size();
@@ -261,7 +243,7 @@ TEST(Weld, MakesPartitionsOfPartitionsWithTJunctions) {
         std::vector<std::size_t> order(before.size());
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
         for (std::size_t i = order.size(); i > 1; --i) {
-            std::swap(order[i - 1], order[static_cast<std::size_t>(dice.whole(0, static_cast<std::int64_t>(i) - 1))]);
+            std::swap(order[i - 1], order[random.index(i)]);
         }
         Polygons shuffled, expected;
         for (const std::size_t i : order) {

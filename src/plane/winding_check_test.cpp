@@ -2,26 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <vector>
 
 #include "base/random.h"
+#include "base/test_cases.h"
 
 namespace filigree {
 namespace {
-
-std::uint64_t case_count() {
-    const char* text = std::getenv("FILIGREE_CASES");
-    return text == nullptr ? 1000 : std::strtoull(text, nullptr, 10);
-}
-
-struct Dice {
-    std::uint64_t state = 0;
-    std::int64_t whole(std::int64_t low, std::int64_t high) {  // in [low, high]
-        state = mix(state);
-        return low + static_cast<std::int64_t>(to_whole(state, static_cast<std::uint32_t>(high - low + 1)));
-    }
-};
 
 using Ring = std::vector<Point>;
 
@@ -115,17 +102,17 @@ TEST(Winding, TakesTheWholePlane) {
 TEST(Winding, AgreesWithCountingAtRandomPlaces) {
     std::uint64_t wrong = 0, right = 0;
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Dice dice{mix(seed)};
-        const std::int64_t unit = std::int64_t{1} << dice.whole(22, 34);
-        const std::int64_t lattice = dice.whole(2, 12);
-        std::vector<Ring> rings(static_cast<std::size_t>(dice.whole(1, 3)));
+        CaseRandom random(seed);
+        const std::int64_t unit = std::int64_t{1} << random.whole(22, 34);
+        const std::int64_t lattice = random.whole(2, 12);
+        std::vector<Ring> rings(static_cast<std::size_t>(random.whole(1, 3)));
         for (Ring& ring : rings) {
-            ring.resize(static_cast<std::size_t>(dice.whole(3, dice.whole(3, 40))));
-            for (Point& p : ring) p = {unit * dice.whole(0, lattice), unit * dice.whole(0, lattice)};
+            ring.resize(static_cast<std::size_t>(random.whole(3, random.whole(3, 40))));
+            for (Point& p : ring) p = {unit * random.whole(0, lattice), unit * random.whole(0, lattice)};
         }
         WindingRange range;
-        range.least = static_cast<int>(dice.whole(-3, 0));
-        range.most = static_cast<int>(dice.whole(0, 4));
+        range.least = random.whole(-3, 0);
+        range.most = random.whole(0, 4);
         range.tolerance = 0x1p-20;
         const auto is_wrong = [&](Vec at) {
             const int count = winding_by_quadrants(rings, at);
@@ -142,7 +129,7 @@ TEST(Winding, AgreesWithCountingAtRandomPlaces) {
         }
         ++right;
         for (int sample = 0; sample < 2000; ++sample) {
-            const Point at{dice.whole(0, 1 << 20), dice.whole(0, 1 << 20)};
+            const Point at{random.whole(0, 1 << 20), random.whole(0, 1 << 20)};
             const double scale = static_cast<double>(unit * lattice) / grid_per_px / (1 << 20);
             // Off the lattice's lines, where rounding could decide.
             const Vec place{(static_cast<double>(at.x) + 0.123456) * scale,
@@ -158,17 +145,17 @@ TEST(Winding, AgreesWithCountingAtRandomPlaces) {
 // Whether there is a flaw does not depend on order, start or mirroring.
 TEST(Winding, DoesNotDependOnOrder) {
     for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
-        Dice dice{mix(seed) + 1};
+        CaseRandom random(mix(seed) + 1);
         const std::int64_t unit = std::int64_t{1} << 24;
-        Ring ring(static_cast<std::size_t>(dice.whole(3, 30)));
-        for (Point& p : ring) p = {unit * dice.whole(0, 20), unit * dice.whole(0, 20)};
+        Ring ring(static_cast<std::size_t>(random.whole(3, 30)));
+        for (Point& p : ring) p = {unit * random.whole(0, 20), unit * random.whole(0, 20)};
         const WindingRange range{-2, 2, 0x1p-20, {}};
         const bool found = find_wrong_winding(edges_of({ring}), range).has_value();
 
         std::vector<DirectedEdge> shuffled = edges_of({ring});
         for (std::size_t i = shuffled.size(); i > 1; --i) {
             std::swap(shuffled[i - 1],
-                      shuffled[static_cast<std::size_t>(dice.whole(0, static_cast<std::int64_t>(i) - 1))]);
+                      shuffled[random.index(i)]);
         }
         EXPECT_EQ(find_wrong_winding(shuffled, range).has_value(), found) << "seed " << seed;
         for (DirectedEdge& edge : shuffled) edge = {{-edge.from.x, edge.from.y}, {-edge.to.x, edge.to.y}};
