@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/random.h"
-#include "formats/test_cases.h"
+#include "base/test_cases.h"
 
 namespace filigree {
 namespace {
@@ -29,7 +29,7 @@ TEST(Base64, RefusesWhatIsDamaged) {
 }
 
 TEST(Base64, RoundTrip) {
-    for (int seed = 0; seed < case_count(); ++seed) {
+    for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
         std::string bytes;
         const std::uint64_t length = to_whole(random_bits(seed, Key{}, "length"), 200);
         for (std::uint64_t i = 0; i < length; ++i) bytes += static_cast<char>(random_bits(seed, Key{i}, "byte"));

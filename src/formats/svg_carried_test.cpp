@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "base/random.h"
+#include "base/test_cases.h"
 #include "formats/svg_read.h"
-#include "formats/test_cases.h"
 #include "formats/test_drawings.h"
 
 namespace filigree {
@@ -61,7 +61,7 @@ TEST(SvgCarried, AnSvgThatCarriesADocumentMayBeCarried) {
 }
 
 TEST(SvgCarried, RandomBytesComeBack) {
-    for (int seed = 0; seed < case_count(); ++seed) {
+    for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
         const auto text = [&](std::uint64_t key, bool is_binary) {
             static constexpr std::string_view telling = "]]>]]><![CDATA[&amp;\n\t \"'x-->";
             std::string bytes;

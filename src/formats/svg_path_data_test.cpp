@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "formats/test_cases.h"
+#include "base/test_cases.h"
 #include "formats/test_drawings.h"
 
 namespace filigree {
@@ -117,7 +117,7 @@ TEST(SvgPathData, RoundsHalfAwayFromZero) {
     EXPECT_EQ(rounded_coordinate(px / 16, 3), 63);  // 0.0625
     EXPECT_EQ(rounded_coordinate(-px / 16, 3), -63);
     EXPECT_EQ(rounded_coordinate(grid_limit, 6), (std::int64_t{1} << 30) * 1'000'000);
-    for (int seed = 0; seed < case_count(); ++seed) {
+    for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
         const int decimals = static_cast<int>(to_whole(random_bits(seed, Key{}, "decimals"), 7));
         const int shift = static_cast<int>(to_whole(random_bits(seed, Key{}, "shift"), 60)) + 4;
         const std::int64_t grid = static_cast<std::int64_t>(random_bits(seed, Key{}, "grid")) >> shift;
@@ -137,7 +137,7 @@ TEST(SvgPathData, LeavesOutWhatRoundsAway) {
 }
 
 TEST(SvgPathData, ComesBackAsTheRoundedPoints) {
-    for (int seed = 0; seed < case_count(); ++seed) {
+    for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
         const auto pick = [&](const char* name, std::uint32_t count, std::uint64_t draw = 0) {
             return to_whole(random_bits(seed, Key{}, name, draw), count);
         };

@@ -7,7 +7,7 @@
 #include "base/elementary.h"
 #include "base/number_text.h"
 #include "base/random.h"
-#include "formats/test_cases.h"
+#include "base/test_cases.h"
 #include "formats/test_drawings.h"
 
 namespace filigree {
@@ -124,7 +124,7 @@ TEST(SvgRead, TransformsCompose) {
 
 // Nested transforms place the points where one matrix does.
 TEST(SvgRead, NestedTransformsAreOneMatrix) {
-    for (int seed = 0; seed < case_count(300); ++seed) {
+    for (std::uint64_t seed = 0; seed < case_count(300); ++seed) {
         Transform all;
         std::string open, close;
         for (std::uint64_t i = 0; i < 4; ++i) {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/random.h"
-#include "formats/test_cases.h"
+#include "base/test_cases.h"
 
 namespace filigree {
 namespace {
@@ -67,7 +67,7 @@ TEST(SvgValues, Transforms) {
 }
 
 TEST(SvgValues, TransformListsCompose) {
-    for (int seed = 0; seed < case_count(); ++seed) {
+    for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
         const auto one = [&](std::uint64_t i) {
             const auto number = [&](const char* name) {
                 return std::to_string(static_cast<int>(to_whole(random_bits(seed, Key{i}, name), 19)) - 9);

@@ -6,8 +6,9 @@
 #include <cstdio>
 #include <pugixml.hpp>
 
+#include "base/random.h"
+#include "base/test_cases.h"
 #include "formats/svg_read.h"
-#include "formats/test_cases.h"
 #include "formats/test_drawings.h"
 #include "plane/clean.h"
 
@@ -122,7 +123,7 @@ TEST(SvgWrite, AnEmptyDrawingIsAPicture) {
 }
 
 TEST(SvgWrite, RandomDrawingsComeBackToRounding) {
-    for (int seed = 0; seed < case_count(200); ++seed) {
+    for (std::uint64_t seed = 0; seed < case_count(200); ++seed) {
         const auto pick = [&](const char* name, std::uint32_t count, std::uint64_t draw = 0) {
             return to_whole(random_bits(seed, Key{}, name, draw), count);
         };

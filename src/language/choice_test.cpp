@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "base/random.h"
+#include "base/test_cases.h"
 #include "language/text_evaluation.h"
 
 namespace filigree {
@@ -26,7 +28,7 @@ TEST(Choices, TheNormalShareAgreesWithTheComplementaryErrorFunction) {
 }
 
 TEST(Choices, EveryDrawLiesInItsDomain) {
-    for (std::uint64_t seed = 1; seed <= test_cases(3000); ++seed) {
+    for (std::uint64_t seed = 1; seed <= case_count(3000); ++seed) {
         const double scale = std::exp(uniform(seed, 0) * 40 - 20);
         const double low = (uniform(seed, 1) - 0.5) * scale;
         const double high = low + uniform(seed, 2) * scale;
@@ -47,7 +49,7 @@ TEST(Choices, EveryDrawLiesInItsDomain) {
 }
 
 TEST(Choices, ValuesFollowTheBits) {
-    for (std::uint64_t seed = 1; seed <= test_cases(300); ++seed) {
+    for (std::uint64_t seed = 1; seed <= case_count(300); ++seed) {
         std::vector<std::uint64_t> bits;
         for (std::uint64_t i = 0; i < 40; ++i) bits.push_back(mix(seed * 1000 + i));
         std::sort(bits.begin(), bits.end());
@@ -65,7 +67,7 @@ TEST(Choices, ValuesFollowTheBits) {
 
 // Narrowing a range keeps the quantile of every draw.
 TEST(Choices, NarrowingMovesAValueAndKeepsItsQuantile) {
-    for (std::uint64_t seed = 1; seed <= test_cases(2000); ++seed) {
+    for (std::uint64_t seed = 1; seed <= case_count(2000); ++seed) {
         const std::uint64_t bits = mix(seed);
         const double unit = to_unit(bits);
         const double low = uniform(seed, 1) * 10 - 5, high = low + 0.01 + uniform(seed, 2) * 5;
@@ -101,7 +103,7 @@ std::string drawn(const std::string& text, std::uint64_t seed) {
 
 TEST(OneOf, AnotherAlternativeChangesOnlyTheDrawsThatItWins) {
     int won = 0;
-    for (std::uint64_t seed = 1; seed <= test_cases(1000); ++seed) {
+    for (std::uint64_t seed = 1; seed <= case_count(1000); ++seed) {
         const std::string before = drawn("one_of(line, wave: 2, 30, 40)", seed);
         for (const std::string& text :
              {std::string("one_of(line, wave: 2, 30, 40, circ)"), std::string("one_of(circ, line, wave: 2, 30, 40)"),

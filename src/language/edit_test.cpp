@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "base/test_cases.h"
 #include "language/parse.h"
 #include "language/random_text.h"
 #include "language/unparse.h"
@@ -99,9 +100,9 @@ TEST(WithParameter, KeepsToTheDomain) {
 
 // The new text differs in one place alone, and parses to the same statements but for the value.
 TEST(Edits, ChangeTheSplicedBytesAlone) {
-    const int cases = case_count();
-    for (int seed = 0; seed < cases; ++seed) {
-        RandomText random(static_cast<std::uint64_t>(seed));
+    const std::uint64_t cases = case_count();
+    for (std::uint64_t seed = 0; seed < cases; ++seed) {
+        RandomText random(seed);
         const RandomDocument wanted = random.document();
         const Document document = parsed(wanted.text).document;
         const std::uint64_t new_seed = random.bits() >> random.below(64);
@@ -130,10 +131,10 @@ TEST(Edits, ChangeTheSplicedBytesAlone) {
 }
 
 TEST(Edits, ChangeOneParameterAlone) {
-    const int cases = case_count();
-    int edits = 0;
-    for (int seed = 0; seed < cases; ++seed) {
-        RandomText random(static_cast<std::uint64_t>(seed));
+    const std::uint64_t cases = case_count();
+    std::uint64_t edits = 0;
+    for (std::uint64_t seed = 0; seed < cases; ++seed) {
+        RandomText random(seed);
         const RandomDocument wanted = random.document();
         if (wanted.parameters.empty()) continue;
         const std::string name = wanted.parameters[random.below(static_cast<std::uint32_t>(wanted.parameters.size()))];

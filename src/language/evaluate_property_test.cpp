@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/number_text.h"
+#include "base/test_cases.h"
 #include "language/bind.h"
 #include "language/check.h"
 #include "language/names.h"
@@ -10,22 +11,6 @@
 
 namespace filigree {
 namespace {
-
-class Draw {
-public:
-    explicit Draw(std::uint64_t seed) : state_(mix(seed ^ 0x5EED)) {}
-    std::uint32_t whole(std::uint32_t count) {
-        state_ = mix(state_);
-        return static_cast<std::uint32_t>(to_whole(state_, count));
-    }
-    double real(double low, double high) {
-        state_ = mix(state_);
-        return low + (high - low) * to_unit(state_);
-    }
-
-private:
-    std::uint64_t state_;
-};
 
 // --- text and value side by side --------------------------------------------------------------------------------
 
@@ -38,11 +23,11 @@ struct Known {
 // library; the file's unit is mm.
 class KnownBuilder {
 public:
-    explicit KnownBuilder(std::uint64_t seed) : draw_(seed) {}
+    explicit KnownBuilder(std::uint64_t seed) : random_(seed) {}
 
     Known bare(int depth) {
         if (depth <= 0) return literal("", 1);
-        switch (draw_.whole(9)) {
+        switch (random_.below(9)) {
             case 0:
                 return sum(bare(depth - 1), bare(depth - 1));
             case 1:
@@ -81,8 +66,8 @@ public:
     }
     Known length(int depth) {
         constexpr double mm = 96 / 25.4;
-        if (depth <= 0) return draw_.whole(2) == 0 ? literal("mm", mm) : literal("pt", 96.0 / 72);
-        switch (draw_.whole(8)) {
+        if (depth <= 0) return random_.below(2) == 0 ? literal("mm", mm) : literal("pt", 96.0 / 72);
+        switch (random_.below(8)) {
             case 0:
                 return sum(length(depth - 1), length(depth - 1));
             case 1: {
@@ -113,15 +98,15 @@ public:
         }
     }
     Known area(int depth) {
-        if (draw_.whole(3) == 0) {
+        if (random_.below(3) == 0) {
             const Known a = length(depth - 1);
             return {"pow(" + a.text + ", 2)", a.value * a.value};
         }
         return product(length(depth - 1), length(depth - 1));
     }
     Known angle(int depth) {
-        if (depth <= 0) return draw_.whole(2) == 0 ? literal("deg", 1) : literal("turn", 360);
-        switch (draw_.whole(4)) {
+        if (depth <= 0) return random_.below(2) == 0 ? literal("deg", 1) : literal("turn", 360);
+        switch (random_.below(4)) {
             case 0:
                 return sum(angle(depth - 1), angle(depth - 1));
             case 1:
@@ -137,13 +122,13 @@ public:
     }
 
 private:
-    Draw draw_;
+    CaseRandom random_;
 
     static bool close(const Known& a, const Known& b) {
         return std::fabs(a.value - b.value) <= 1e-6 * (std::fabs(a.value) + std::fabs(b.value));
     }
     Known literal(const std::string& unit, double factor) {
-        const double value = std::round(draw_.real(1, 100)) / 8;
+        const double value = std::round(random_.between(1, 100)) / 8;
         return {to_text(value) + unit, value * factor};
     }
     static Known sum(const Known& a, const Known& b) {
@@ -163,7 +148,7 @@ TEST(RandomExpressions, ComeToWhatTheStandardLibrarySays) {
     Evaluation at;
     at.document = &document;
     std::uint64_t compared = 0;
-    for (std::uint64_t seed = 1; seed <= test_cases(1000); ++seed) {
+    for (std::uint64_t seed = 1; seed <= case_count(1000); ++seed) {
         KnownBuilder builder(seed);
         const Known known = seed % 3 == 0 ? builder.bare(4) : seed % 3 == 1 ? builder.length(4) : builder.angle(4);
         const Result<Value> value = evaluate(*expression_of(known.text), at);
@@ -183,19 +168,19 @@ TEST(RandomExpressions, ComeToWhatTheStandardLibrarySays) {
 
 class TreeBuilder {
 public:
-    explicit TreeBuilder(std::uint64_t seed) : draw_(seed) {}
+    explicit TreeBuilder(std::uint64_t seed) : random_(seed) {}
 
     ExpressionPtr tree(int depth) {
-        if (depth > 0 && draw_.whole(60) == 0) return nullptr;
+        if (depth > 0 && random_.below(60) == 0) return nullptr;
         Expression out;
         out.span = {0, place_, place_ + 1};
         ++place_;
-        switch (depth <= 0 ? draw_.whole(6) : draw_.whole(17)) {
+        switch (depth <= 0 ? random_.below(6) : random_.below(17)) {
             case 0:
-                out.node = NumberLiteral{number(), static_cast<Unit>(draw_.whole(14))};
+                out.node = NumberLiteral{number(), static_cast<Unit>(random_.below(14))};
                 break;
             case 1:
-                out.node = NumberLiteral{static_cast<double>(draw_.whole(5)), Unit::none};
+                out.node = NumberLiteral{static_cast<double>(random_.below(5)), Unit::none};
                 break;
             case 2:
                 out.node = NameReference{std::string(name())};
@@ -204,7 +189,7 @@ public:
                 out.node = TextLiteral{"a"};
                 break;
             case 4:
-                out.node = BoolLiteral{draw_.whole(2) == 0};
+                out.node = BoolLiteral{random_.below(2) == 0};
                 break;
             case 5:
                 out.node = ColourLiteral{};
@@ -216,11 +201,11 @@ public:
                 out.node = PointExpression{several(depth, 3)};
                 break;
             case 8:
-                out.node = UnaryExpression{static_cast<UnaryOperator>(draw_.whole(2)), tree(depth - 1)};
+                out.node = UnaryExpression{static_cast<UnaryOperator>(random_.below(2)), tree(depth - 1)};
                 break;
             case 9:
             case 10: {
-                const auto op = static_cast<BinaryOperator>(draw_.whole(13));
+                const auto op = static_cast<BinaryOperator>(random_.below(13));
                 ExpressionPtr left = tree(depth - 1);
                 out.node = BinaryExpression{op, std::move(left), tree(depth - 1)};
                 break;
@@ -245,8 +230,8 @@ public:
                 break;
             default: {
                 CallExpression call{std::string(call_name()), {0, place_, place_ + 1}, {}};
-                for (std::uint32_t i = draw_.whole(4); i > 0; --i) {
-                    ExpressionPtr key = draw_.whole(4) == 0 ? tree(depth - 1) : nullptr;
+                for (std::uint32_t i = random_.below(4); i > 0; --i) {
+                    ExpressionPtr key = random_.below(4) == 0 ? tree(depth - 1) : nullptr;
                     call.arguments.push_back({key, tree(depth - 1)});
                 }
                 out.node = std::move(call);
@@ -256,28 +241,28 @@ public:
     }
 
 private:
-    Draw draw_;
+    CaseRandom random_;
     std::uint32_t place_ = 0;
 
     double number() {
         constexpr double odd[] = {0, -1, 1e308, -1e308, 1e-320, 0.5, 3, 7};
-        return odd[draw_.whole(8)];
+        return odd[random_.below(8)];
     }
     std::string_view name() {
         constexpr std::string_view names[] = {"gap", "page", "index", "line", "ink", "nowhere", "bad", "area", "max"};
-        return names[draw_.whole(9)];
+        return names[random_.below(9)];
     }
     std::string_view call_name() {
         constexpr std::string_view special[] = {"one_of", "normal", "each", "ink", "turn", "nothing", "gap"};
         const auto functions = function_descriptions();
-        const std::uint32_t k = draw_.whole(27);
+        const std::uint32_t k = random_.below(27);
         if (k < 7) return special[k];
         const std::string_view signature = functions[k - 7].signature;
         return signature.substr(0, signature.find('('));
     }
     std::vector<ExpressionPtr> several(int depth, std::uint32_t most) {
         std::vector<ExpressionPtr> out;
-        for (std::uint32_t i = draw_.whole(most + 1); i > 0; --i) out.push_back(tree(depth - 1));
+        for (std::uint32_t i = random_.below(most + 1); i > 0; --i) out.push_back(tree(depth - 1));
         return out;
     }
 };
@@ -313,7 +298,7 @@ TEST(RandomTrees, NeverCrashAndErrorsHaveAPlace) {
     const OperatorDescription description{.name = "f", .parameters = {std::begin(parameters), std::end(parameters)}};
     const std::vector<ShapeContext> shapes = {{Key{1}, shape}, {Key{2}, shape}};
     std::uint64_t good = 0;
-    for (std::uint64_t seed = 1; seed <= test_cases(20000); ++seed) {
+    for (std::uint64_t seed = 1; seed <= case_count(20000); ++seed) {
         ExpressionPtr tree = TreeBuilder(seed).tree(1 + static_cast<int>(seed % 5));
         if (!tree) continue;
         Evaluation at;
@@ -359,17 +344,17 @@ TEST(RandomTrees, NeverCrashAndErrorsHaveAPlace) {
             for (const double px : arguments->lengths("b")) ASSERT_GT(px, 0) << seed;
         }
     }
-    EXPECT_GT(good, test_cases(20000) / 20);
+    EXPECT_GT(good, case_count(20000) / 20);
 }
 
 // --- draws ------------------------------------------------------------------------------------------------------
 
 TEST(RandomDraws, StayInTheirDomainAndInOrder) {
     Evaluation at;
-    for (std::uint64_t seed = 1; seed <= test_cases(1000); ++seed) {
-        Draw draw(seed);
-        const double low = std::round(draw.real(-50, 50)), high = low + std::round(draw.real(0, 30));
-        const double mean = draw.real(-60, 90), deviation = draw.real(0, 20);
+    for (std::uint64_t seed = 1; seed <= case_count(1000); ++seed) {
+        CaseRandom random(seed);
+        const double low = std::round(random.between(-50, 50)), high = low + std::round(random.between(0, 30));
+        const double mean = random.between(-60, 90), deviation = random.between(0, 20);
         const std::string range = "(" + to_text(low) + ")..(" + to_text(high) + ")";
         const std::string normal = "normal(" + to_text(mean) + ", " + to_text(deviation) + ") in " + range;
         at.site = {seed, Key{4}, "x"};

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "base/test_cases.h"
 #include "language/parse.h"
 #include "language/random_text.h"
 #include "language/unparse.h"
@@ -43,10 +44,10 @@ TEST(SameMeaning, SeesEveryDifference) {
 }
 
 TEST(SameMeaning, AgreesWithTheWrittenForm) {
-    const int cases = case_count();
+    const std::uint64_t cases = case_count();
     std::vector<ExpressionPtr> all;
-    for (int seed = 0; seed < cases; ++seed) {
-        RandomText random(static_cast<std::uint64_t>(seed));
+    for (std::uint64_t seed = 0; seed < cases; ++seed) {
+        RandomText random(seed);
         const ExpressionPtr expression = parsed(random.expression(seed % 4));
         all.push_back(expression);
         const std::string written = unparse(expression);

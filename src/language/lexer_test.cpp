@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/test_cases.h"
 #include "language/random_text.h"
 
 namespace filigree {
@@ -139,9 +140,9 @@ TEST(Lexer, KnowsTheFirstTokenOfALine) {
 
 // Tokens cover the text: what lies between them is blank or comment, in every mode and for any bytes.
 TEST(Lexer, AlwaysGoesForwards) {
-    const int cases = case_count();
-    for (int seed = 0; seed < cases; ++seed) {
-        RandomText random(static_cast<std::uint64_t>(seed));
+    const std::uint64_t cases = case_count();
+    for (std::uint64_t seed = 0; seed < cases; ++seed) {
+        RandomText random(seed);
         const std::string text = damaged(random.document().text, random);
         for (const LexMode mode : {LexMode::value, LexMode::tag, LexMode::property}) {
             std::uint32_t last = 0;

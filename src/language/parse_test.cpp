@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 
+#include "base/test_cases.h"
 #include "language/random_text.h"
 #include "language/unparse.h"
 
@@ -349,9 +350,9 @@ TEST(PublishedGrammars, AllRulesParse) {
 // --- properties ------------------------------------------------------------------------------------------------
 
 TEST(ParseProperty, RandomDocumentsAreRight) {
-    const int cases = case_count();
-    for (int seed = 0; seed < cases; ++seed) {
-        RandomText random(static_cast<std::uint64_t>(seed));
+    const std::uint64_t cases = case_count();
+    for (std::uint64_t seed = 0; seed < cases; ++seed) {
+        RandomText random(seed);
         const RandomDocument wanted = random.document();
         const Parsed result = parsed(wanted.text);
         ASSERT_EQ(to_text(result.diagnostics, result.document.sources), "") << "seed " << seed << "\n" << wanted.text;
@@ -370,7 +371,7 @@ TEST(ParseProperty, RandomDocumentsAreRight) {
     }
 }
 
-void expect_sound(const Parsed& result, const std::string& text, int seed) {
+void expect_sound(const Parsed& result, const std::string& text, std::uint64_t seed) {
     ASSERT_EQ(result.document.text(), text) << "seed " << seed;
     for (const Diagnostic& diagnostic : result.diagnostics) {
         ASSERT_EQ(diagnostic.code.rfind("language.", 0), 0U) << "seed " << seed << " " << diagnostic.code;
@@ -382,9 +383,9 @@ void expect_sound(const Parsed& result, const std::string& text, int seed) {
 }
 
 TEST(ParseProperty, DamagedDocumentsAreSurvived) {
-    const int cases = 10 * case_count();
-    for (int seed = 0; seed < cases; ++seed) {
-        RandomText random(static_cast<std::uint64_t>(seed));
+    const std::uint64_t cases = 10 * case_count();
+    for (std::uint64_t seed = 0; seed < cases; ++seed) {
+        RandomText random(seed);
         const std::string text = damaged(random.document().text, random);
         const Parsed result = parsed(text);
         expect_sound(result, text, seed);
@@ -395,9 +396,9 @@ TEST(ParseProperty, DamagedDocumentsAreSurvived) {
 }
 
 TEST(ParseProperty, RandomBytesAreSurvived) {
-    const int cases = 10 * case_count();
-    for (int seed = 0; seed < cases; ++seed) {
-        RandomText random(static_cast<std::uint64_t>(seed));
+    const std::uint64_t cases = 10 * case_count();
+    for (std::uint64_t seed = 0; seed < cases; ++seed) {
+        RandomText random(seed);
         std::string text;
         const std::uint32_t size = random.below(200);
         const bool is_ascii = random.chance(2);
@@ -410,9 +411,9 @@ TEST(ParseProperty, RandomBytesAreSurvived) {
 
 // A broken statement between right ones costs one error and no neighbour.
 TEST(ParseProperty, OneErrorForOneBrokenStatement) {
-    const int cases = case_count();
-    for (int seed = 0; seed < cases; ++seed) {
-        RandomText random(static_cast<std::uint64_t>(seed));
+    const std::uint64_t cases = case_count();
+    for (std::uint64_t seed = 0; seed < cases; ++seed) {
+        RandomText random(seed);
         const std::string broken = random.pick({"strat a = circle(1)",
                                                 "let = 5",
                                                 "let a 5",

@@ -4,33 +4,24 @@
 
 #include <cmath>
 
-#include "base/random.h"
+#include "base/test_cases.h"
 #include "language/text_evaluation.h"
 
 namespace filigree {
 namespace {
 
-class Draw {
-public:
-    explicit Draw(std::uint64_t seed) : state_(mix(seed)) {}
-    std::uint32_t whole(std::uint32_t count) { return static_cast<std::uint32_t>(to_whole(next(), count)); }
-    double real() { return to_unit(next()) * 20 - 10; }
-    Quantity quantity() {
-        Quantity out{real(), 0, false};
-        const std::uint32_t kind = whole(6);
-        if (kind == 5) out.is_angle = true;
-        if (kind > 0 && kind < 5) out.length_power = static_cast<std::int8_t>(static_cast<int>(kind) - 2);
-        return out;
-    }
-    Unit unit() {
-        constexpr Unit units[] = {Unit::mm, Unit::cm, Unit::m, Unit::inch, Unit::pt, Unit::px};
-        return units[whole(6)];
-    }
-
-private:
-    std::uint64_t state_;
-    std::uint64_t next() { return state_ = mix(state_); }
-};
+double any_real(CaseRandom& random) { return random.between(-10, 10); }
+Quantity any_quantity(CaseRandom& random) {
+    Quantity out{any_real(random), 0, false};
+    const std::uint32_t kind = random.below(6);
+    if (kind == 5) out.is_angle = true;
+    if (kind > 0 && kind < 5) out.length_power = static_cast<std::int8_t>(static_cast<int>(kind) - 2);
+    return out;
+}
+Unit any_unit(CaseRandom& random) {
+    constexpr Unit units[] = {Unit::mm, Unit::cm, Unit::m, Unit::inch, Unit::pt, Unit::px};
+    return units[random.below(6)];
+}
 
 bool same(const std::optional<Quantity>& a, const std::optional<Quantity>& b) {
     if (a.has_value() != b.has_value()) return false;
@@ -40,10 +31,10 @@ bool same(const std::optional<Quantity>& a, const std::optional<Quantity>& b) {
 }
 
 TEST(Quantities, FollowTheLawsOfAlgebra) {
-    for (std::uint64_t seed = 1; seed <= test_cases(5000); ++seed) {
-        Draw draw(seed);
-        const Quantity a = draw.quantity(), b = draw.quantity(), c = draw.quantity();
-        const Unit unit = draw.unit();
+    for (std::uint64_t seed = 1; seed <= case_count(5000); ++seed) {
+        CaseRandom random(seed);
+        const Quantity a = any_quantity(random), b = any_quantity(random), c = any_quantity(random);
+        const Unit unit = any_unit(random);
         EXPECT_TRUE(same(multiplied(a, b), multiplied(b, a))) << seed;
         const auto ab = multiplied(a, b), bc = multiplied(b, c);
         if (ab && bc) {
@@ -87,10 +78,10 @@ TEST(Quantities, FollowTheLawsOfAlgebra) {
 }
 
 TEST(Quantities, UnitsConvertBothWays) {
-    for (std::uint64_t seed = 1; seed <= test_cases(1000); ++seed) {
-        Draw draw(seed);
-        const Unit unit = draw.unit();
-        const double value = draw.real();
+    for (std::uint64_t seed = 1; seed <= case_count(1000); ++seed) {
+        CaseRandom random(seed);
+        const Unit unit = any_unit(random);
+        const double value = any_real(random);
         EXPECT_NEAR(from_px(to_px(value, unit), unit), value, 1e-14 * std::fabs(value)) << seed;
         const Quantity bare{value, 0, false};
         const auto area = adapted(bare, unit, Quantity{0, 2, false});

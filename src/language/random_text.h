@@ -3,21 +3,14 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdlib>
 #include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "base/random.h"
+#include "base/test_cases.h"
 
 namespace filigree {
-
-inline int case_count(int usual = 1000) {
-    const char* wanted = std::getenv("FILIGREE_CASES");
-    const int count = wanted == nullptr ? 0 : std::atoi(wanted);
-    return count > 0 ? count : usual;
-}
 
 struct RandomDocument {
     std::string text;
@@ -25,12 +18,10 @@ struct RandomDocument {
     std::vector<std::string> parameters;
 };
 
-class RandomText {
+class RandomText : public CaseRandom {
 public:
-    explicit RandomText(std::uint64_t seed) : seed_(seed) {}
+    using CaseRandom::CaseRandom;
 
-    std::uint64_t bits() { return mix(seed_ ^ mix(++count_)); }
-    std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(to_whole(bits(), count)); }
     bool chance(std::uint32_t one_in) { return below(one_in) == 0; }
     std::string pick(std::initializer_list<std::string_view> options) {
         return std::string(options.begin()[below(static_cast<std::uint32_t>(options.size()))]);
@@ -234,8 +225,6 @@ private:
         }
     }
 
-    std::uint64_t seed_;
-    std::uint64_t count_ = 0;
     std::string end_ = "\n";
 };
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <cstdlib>
 #include <map>
 #include <memory>
 #include <string>
@@ -14,11 +13,6 @@
 #include "language/parse.h"
 
 namespace filigree {
-
-inline std::uint64_t test_cases(std::uint64_t normal) {
-    const char* wanted = std::getenv("FILIGREE_CASES");
-    return wanted == nullptr ? normal : std::strtoull(wanted, nullptr, 10);
-}
 
 // A document that must parse without a complaint; included files are "name" -> text.
 inline Document document_of(std::string_view text, const std::map<std::string, std::string>& included = {}) {

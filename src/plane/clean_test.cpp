@@ -6,8 +6,8 @@
 #include <limits>
 #include <set>
 
-#include "base/test_cases.h"
 #include "base/elementary.h"
+#include "base/test_cases.h"
 #include "plane/clean_test_oracle.h"
 #include "plane/verify.h"
 

@@ -11,7 +11,6 @@
 namespace filigree {
 namespace {
 
-
 TEST(EdgeTree, AnswersAsLookingAtEveryEdgeDoes) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "base/test_cases.h"
 #include "base/elementary.h"
+#include "base/test_cases.h"
 #include "plane/arc.h"
 #include "plane/clean.h"
 #include "plane/clean_test_oracle.h"
@@ -12,7 +12,6 @@
 
 namespace filigree {
 namespace {
-
 
 Path parsed(std::string_view data) { return *parse_path_data(data); }
 

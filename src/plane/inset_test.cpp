@@ -14,7 +14,6 @@
 namespace filigree {
 namespace {
 
-
 std::vector<Point> ring_of(const std::vector<Vec>& corners) {
     std::vector<Point> ring;
     for (const Vec v : corners) ring.push_back(snap(v));

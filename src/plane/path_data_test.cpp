@@ -10,7 +10,6 @@
 namespace filigree {
 namespace {
 
-
 std::string canonical(std::string_view data) {
     const Result<Path> path = parse_path_data(data);
     if (!path) return "error: " + path.diagnostics()[0].message;

@@ -52,7 +52,8 @@ TEST(PointTree, FindsAllThatAreNear) {
         points.erase(std::unique(points.begin(), points.end()), points.end());
         for (int query = 0; query < 5; ++query) {
             const Point a = place(), b = place();
-            const double distance = static_cast<double>(random.whole(0, range)) / static_cast<double>(random.whole(1, 100));
+            const double distance =
+                static_cast<double>(random.whole(0, range)) / static_cast<double>(random.whole(1, 100));
             const std::vector<Point> found = find_near(tree, a, b, distance);
             ASSERT_TRUE(std::adjacent_find(found.begin(), found.end()) == found.end()) << "seed " << seed;
             for (const Point p : points) {

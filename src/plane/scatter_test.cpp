@@ -13,7 +13,6 @@
 namespace filigree {
 namespace {
 
-
 Polygons rectangle(Vec min, Vec max) {
     return test_shapes::one_polygon({{snap(min), snap({max.x, min.y}), snap(max), snap({min.x, max.y})}});
 }

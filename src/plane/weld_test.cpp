@@ -175,7 +175,8 @@ Partition random_partition(CaseRandom& random) {
             if (edge_length(i) > edge_length(first)) first = i;
         }
         std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(first), ring.end());
-        const std::size_t across = ring.size() / 2 - static_cast<std::size_t>(ring.size() == 3 ? random.whole(-1, 0) : 0);
+        const std::size_t across =
+            ring.size() / 2 - static_cast<std::size_t>(ring.size() == 3 ? random.whole(-1, 0) : 0);
         const Point p = place_on(ring, 0), q = place_on(ring, across);
         Ring low = {p}, high = {q};
         low.insert(low.end(), ring.begin() + 1, ring.begin() + static_cast<std::ptrdiff_t>(across) + 1);
@@ -184,7 +185,7 @@ Partition random_partition(CaseRandom& random) {
         high.push_back(ring[0]);
         high.push_back(p);
         waiting.push_back({low, splits - 1});
-        waiting.push_back({high, splits - 1 - static_cast<int>(random.whole(0, splits > 1 ? 1 : 0))});
+        waiting.push_back({high, splits - 1 - random.whole(0, splits > 1 ? 1 : 0)});
     }
     return partition;
 }

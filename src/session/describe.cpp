@@ -155,6 +155,10 @@ std::string list_text() {
     for (const FunctionDescription& function : function_descriptions()) {
         text += "  " + padded(function.signature, 28) + std::string(function.help) + "\n";
     }
+    text += "\nexamples\n\n";
+    for (const ExampleInfo& example : examples()) {
+        text += "  " + padded(example.file, 30) + std::string(example.title) + "\n";
+    }
     return text;
 }
 

@@ -8,7 +8,7 @@
 
 namespace filigree {
 
-// Engines, operators, start shapes and functions, a line each.
+// Engines, operators, start shapes, functions and examples, a line each.
 std::string list_text();
 // One page on an operator, a start shape or an engine; an error with the nearest name where there is none.
 Result<std::string> describe_text(std::string_view name);

@@ -13,4 +13,11 @@ std::span<const EngineInfo> engines() {
     return all;
 }
 
+std::span<const ExampleInfo> examples() {
+    static const std::vector<ExampleInfo> all = {
+#include "session/examples.inc"
+    };
+    return all;
+}
+
 }  // namespace filigree

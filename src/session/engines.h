@@ -1,4 +1,4 @@
-// The engines, in one closed table: what `list` and `describe` show.
+// The engines and the examples, in closed tables: what `list` and `describe` show.
 #pragma once
 
 #include <span>
@@ -15,5 +15,11 @@ struct EngineInfo {
     std::vector<const OperatorDescription*> operators;
 };
 std::span<const EngineInfo> engines();
+
+struct ExampleInfo {
+    std::string_view file;  // below the repository's root
+    std::string_view title;
+};
+std::span<const ExampleInfo> examples();
 
 }  // namespace filigree
