@@ -29,8 +29,8 @@ public:
         return bytes;
     }
 
-    Inputs loaded_;
-    std::vector<fs::path> files_;
+    const Inputs& loaded() const { return loaded_; }
+    const std::vector<fs::path>& files() const { return files_; }
 
 private:
     Result<std::string> find(std::string_view name) const {
@@ -63,6 +63,8 @@ private:
         return reason;
     }
 
+    Inputs loaded_;                // in the order in which they were asked for
+    std::vector<fs::path> files_;  // those on disk
     Inputs given_;
     bool on_disk_ = true;
     fs::path folder_;
@@ -99,7 +101,7 @@ OpenedDocument opened_from(std::string name, const std::string& shown_name, std:
             opened.diagnostics.push_back(std::move(reason));
         }
     }
-    opened.inputs = source.loaded_;
+    opened.inputs = source.loaded();
     return opened;
 }
 
@@ -132,7 +134,7 @@ Result<OpenedDocument> open_document(const fs::path& file, const OpenOptions& op
     InputSource source(file.parent_path(), options.allowed_folders);
     OpenedDocument opened = opened_from(file.filename().string(), file.string(), std::move(*text), source, options);
     opened.files = {file};
-    opened.files.insert(opened.files.end(), source.files_.begin(), source.files_.end());
+    opened.files.insert(opened.files.end(), source.files().begin(), source.files().end());
     return opened;
 }
 

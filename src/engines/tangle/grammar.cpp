@@ -12,7 +12,7 @@ namespace {
 class GrammarReader {
 public:
     GrammarReader(const Settings& settings, const Document& document) : settings_(settings), document_(document) {
-        grammar_.tags.emplace_back();  // the unnamed terminal
+        tag_index("");  // the unnamed terminal
     }
 
     Result<Grammar> read(std::span<const std::string> start_tags) {
@@ -28,10 +28,9 @@ public:
 
 private:
     std::uint32_t tag_index(const std::string& name) {
-        const std::uint32_t known = grammar_.find_tag(name);
-        if (known != none) return known;
-        grammar_.tags.push_back(name);
-        return static_cast<std::uint32_t>(grammar_.tags.size() - 1);
+        const auto [known, fresh] = tag_indices_.emplace(name, static_cast<std::uint32_t>(grammar_.tags.size()));
+        if (fresh) grammar_.tags.push_back(name);
+        return known->second;
     }
 
     void add_rule(const GroupRule& source, SourceSpan span) {
@@ -72,6 +71,12 @@ private:
                 diagnostics_.push_back(error("tangle.repeated-label",
                                              "the label '" + source.label->text + "' already names another rule",
                                              source.label->span));
+            }
+            if (find_operator(source.label->text) != nullptr) {  // paths could not tell the two apart
+                diagnostics_.push_back(
+                    error("tangle.label-of-operator",
+                          "'" + source.label->text + "' is the name of an operator, so it cannot be a label",
+                          source.label->span));
             }
         } else {
             const std::string name(rule.op->description.name);
@@ -137,6 +142,7 @@ private:
     const Document& document_;
     Grammar grammar_;
     Diagnostics diagnostics_;
+    std::map<std::string, std::uint32_t> tag_indices_;
     std::map<std::string, SourceSpan> labels_;
     std::map<std::pair<std::uint32_t, std::string>, int> unlabelled_;
 };

@@ -172,21 +172,13 @@ Diagnostics graph_warnings(const Settings& settings, const Document& document,
     std::vector<std::vector<std::uint32_t>> keeping(rules.size());
     for (std::uint32_t r = 0; r < rules.size(); ++r) {
         const Operator* op = find_operator(rules[r]->operator_name.text);
-        if (op == nullptr || op->description.shrinks) continue;
-        keeping[r] = graph.successors[r];
+        if (op != nullptr && !op->description.shrinks) keeping[r] = graph.successors[r];
     }
+    const std::vector<std::uint32_t> component = components(keeping);
     for (std::uint32_t r = 0; r < rules.size(); ++r) {
-        if (!reached[r] || keeping[r].empty()) continue;
-        std::vector<bool> seen(rules.size(), false);
-        std::vector<std::uint32_t> todo = keeping[r];
-        while (!todo.empty() && !seen[r]) {
-            const std::uint32_t at = todo.back();
-            todo.pop_back();
-            if (seen[at]) continue;
-            seen[at] = true;
-            todo.insert(todo.end(), keeping[at].begin(), keeping[at].end());
-        }
-        if (!seen[r]) continue;
+        const bool repeats = std::any_of(keeping[r].begin(), keeping[r].end(),
+                                         [&](std::uint32_t next) { return component[next] == component[r]; });
+        if (!reached[r] || !repeats) continue;
         warnings.push_back(warning("tangle.endless-rule",
                                    "this rule gives the tag '" + rules[r]->tag.text +
                                        "' back without making shapes smaller, so it can repeat without end",
