@@ -9,7 +9,6 @@
 
 #include "base/elementary.h"
 #include "base/number_text.h"
-#include "base/random.h"
 #include "base/test_cases.h"
 
 namespace filigree {
@@ -22,7 +21,7 @@ inline std::uint64_t first_seed() {
 
 class RandomDocument {
 public:
-    explicit RandomDocument(std::uint64_t seed) : state_(mix(seed)) {}
+    explicit RandomDocument(std::uint64_t seed) : random_(seed) {}
 
     std::string text() {
         std::string all = "grammar tangle\nseed " + std::to_string(whole(1000)) + "\n";
@@ -38,8 +37,8 @@ public:
     }
 
 private:
-    std::uint64_t whole(std::uint32_t count) { return to_whole(state_ = mix(state_), count); }
-    double real(double low, double high) { return low + (high - low) * to_unit(state_ = mix(state_)); }
+    std::uint64_t whole(std::uint32_t count) { return random_.below(count); }
+    double real(double low, double high) { return random_.between(low, high); }
     std::string number(double low, double high) {
         std::string text;
         append_fixed(text, real(low, high), static_cast<int>(whole(4)));
@@ -149,7 +148,7 @@ private:
         }
     }
 
-    std::uint64_t state_;
+    CaseRandom random_;
 };
 
 }  // namespace filigree
