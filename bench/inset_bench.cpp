@@ -24,7 +24,7 @@ std::uint64_t hash_of(const Polygons& polygons, std::uint64_t hash) {
 std::vector<Polygons> discs(double jitter) {
     std::vector<Polygons> shapes;
     for (std::uint64_t seed = 0; seed < 10000; ++seed) {
-        test_shapes::CaseRandom draws{seed};
+        CaseRandom draws{seed};
         const double radius = draws.between(10, 20);
         shapes.push_back(test_shapes::one_polygon({test_shapes::wobbly_ring(draws, {0, 0}, radius, 100, 0.5, jitter)}));
     }
@@ -56,7 +56,7 @@ void inset_discs(benchmark::State& state, double distance, Join join, double jit
 }
 
 void scatter_points(benchmark::State& state, double spacing, std::uint64_t expected) {
-    test_shapes::CaseRandom draws{5};
+    CaseRandom draws{5};
     const Polygons region = test_shapes::one_polygon({test_shapes::wobbly_ring(draws, {10, 20}, 200, 400, 0.5, 0.02)});
     ScatterOptions options;
     options.spacing = spacing;

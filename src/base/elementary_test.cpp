@@ -38,7 +38,7 @@ double ulps_off(double got, long double wanted) {
     return static_cast<double>(std::fabs((got - wanted) / unit_in_last_place(rounded)));
 }
 
-// CaseRandom `points` arguments from `draw`, and checks that `ours` is within `limit` ulp of `oracle`.
+// Draws `points` arguments from `draw`, and checks that `ours` is within `limit` ulp of `oracle`.
 template <class Draw, class Ours, class Oracle>
 void expect_close(const char* name, double limit, Draw draw, Ours ours, Oracle oracle) {
     double worst = 0, worst_x = 0;
