@@ -2,53 +2,21 @@
 
 #include <algorithm>
 
+#include "engines/tangle/scopes.h"
+
 namespace filigree::tangle {
 namespace {
 
 constexpr std::size_t wave_size = 256;  // groups expanded between two commits
-
-// Adds what a group is to the names that its rule's expressions may use: means over its shapes.
-Scope step_scope(const Tangle& tangle, const Group& group, std::uint32_t number, const Scope& globals) {
-    double total_area = 0, total_width = 0, total_height = 0;
-    for (const Shape& shape : group.shapes) {
-        const PolygonView polygon = tangle.polygon(shape);
-        const Box box = bounds(polygon);
-        total_area += area(polygon);
-        total_width += to_px(box.max).x - to_px(box.min).x;
-        total_height += to_px(box.max).y - to_px(box.min).y;
-    }
-    const auto count = static_cast<double>(group.shapes.size());
-    Scope scope;
-    scope.outer = &globals;
-    const auto add = [&](const char* name, double value, std::int8_t length_power) {
-        scope.names[name] = Value{Quantity{value, length_power, false}, {}};
-    };
-    add("area", total_area / count, 2);
-    add("width", total_width / count, 1);
-    add("height", total_height / count, 1);
-    add("count", count, 0);
-    add("depth", group.depth, 0);
-    add("group", number, 0);
-    return scope;
-}
 
 // What each(...) may know of every shape.
 std::vector<ShapeContext> shape_contexts(const Tangle& tangle, const Group& group, Key step, const Scope& outer) {
     std::vector<ShapeContext> contexts(group.shapes.size());
     for (std::size_t i = 0; i < contexts.size(); ++i) {
         const Shape& shape = group.shapes[i];
-        const Vec centre = centroid(tangle.polygon(shape));
-        ShapeContext& context = contexts[i];
-        context.key = Key{fold(step.value, shape.key.value)};
-        context.scope.outer = &outer;
-        const auto add = [&](const char* name, double value, std::int8_t length_power) {
-            context.scope.names[name] = Value{Quantity{value, length_power, false}, {}};
-        };
-        add("index", static_cast<double>(i + 1), 0);
-        add("x", centre.x, 1);
-        add("y", centre.y, 1);
-        add("i", shape.column, 0);
-        add("j", shape.row, 0);
+        contexts[i].key = Key{fold(step.value, shape.key.value)};
+        contexts[i].scope = shape_scope(tangle, shape, i);
+        contexts[i].scope.outer = &outer;
     }
     return contexts;
 }
@@ -122,7 +90,7 @@ private:
         Expansion expansion;
         const std::vector<std::uint32_t>& matching = grammar_.rules_of_tag[group.tag];
         if (matching.empty() || group.hidden) return expansion;
-        const Scope scope = step_scope(tangle_, group, static_cast<std::uint32_t>(number + 1), settings_.globals);
+        const Scope scope = step_scope(tangle_, static_cast<std::uint32_t>(number), settings_.globals);
         const std::optional<std::uint32_t> rule = draw_rule(group, matching, scope, expansion.errors);
         expansion.terminal = !rule && expansion.errors.empty();
         if (!rule) return expansion;

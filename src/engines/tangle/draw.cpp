@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "engines/tangle/scopes.h"
 #include "language/style.h"
 
 namespace filigree::tangle {
@@ -62,29 +63,6 @@ void apply(const StyleOverride& over, Style& style) {
     if (over.stroke) style.stroke = *over.stroke;
     if (over.pen) style.pen = *over.pen;
     if (over.corner) style.corner = *over.corner;
-}
-
-// What a style's expressions may ask of a shape.
-Scope shape_scope(const Tangle& tangle, const Group& group, std::uint32_t number, std::size_t index) {
-    const Shape& shape = group.shapes[index];
-    const PolygonView polygon = tangle.polygon(shape);
-    const Box box = bounds(polygon);
-    const Vec centre = centroid(polygon);
-    Scope scope;
-    const auto add = [&](const char* name, double value, std::int8_t length_power) {
-        scope.names[name] = Value{Quantity{value, length_power, false}, {}};
-    };
-    add("area", area(polygon), 2);
-    add("width", to_px(box.max).x - to_px(box.min).x, 1);
-    add("height", to_px(box.max).y - to_px(box.min).y, 1);
-    add("x", centre.x, 1);
-    add("y", centre.y, 1);
-    add("index", static_cast<double>(index + 1), 0);
-    add("i", shape.column, 0);
-    add("j", shape.row, 0);
-    add("depth", group.depth, 0);
-    add("group", number, 0);
-    return scope;
 }
 
 class Drawer {
@@ -175,7 +153,7 @@ private:
     std::optional<StyleOverride> override_of(std::uint32_t group, std::size_t index) {
         const TagStyle& of_tag = tag_styles_[tangle_.groups[group].tag];
         if (of_tag.is_constant) return of_tag.common;
-        const Scope scope = shape_scope(tangle_, tangle_.groups[group], group + 1, index);
+        const Scope scope = style_scope(tangle_, group, index);
         const Result<StyleOverride> style =
             style_of_shape(sheet_, of_tag, scope, tangle_.groups[group].shapes[index].key);
         if (style) return *style;
