@@ -187,6 +187,20 @@ TEST(Grouping, RegroupById) {
     EXPECT_EQ(grown->groups("c")[2]->shapes.size(), 1U);
 }
 
+TEST(Decoration, InvertTakesAllOrEverySecond) {
+    const auto grown = grow(
+        "start a = rectangle(80, 60)\nregular_split(line, 20, dual: true, angle: 0, fit: true) : a -> b\n"
+        "invert(even) : b -> dark, light\ninvert() : dark -> again\n");
+    EXPECT_EQ(grown->shapes("dark"), 6U);
+    EXPECT_EQ(grown->shapes("light"), 6U);
+    for (const tangle::Shape& shape : grown->groups("dark").front()->shapes) {
+        EXPECT_TRUE(shape.inked);
+        EXPECT_EQ((shape.column + shape.row) & 1, 0);
+    }
+    for (const tangle::Shape& shape : grown->groups("light").front()->shapes) EXPECT_FALSE(shape.inked);
+    for (const tangle::Shape& shape : grown->groups("again").front()->shapes) EXPECT_FALSE(shape.inked);
+}
+
 TEST(Rules, TheLowestGroupGoesNextAndOutputsAreOneGroupEach) {
     const auto grown = grow(
         "start a = rectangle(100, 100)\nregular_split(line, 20, angle: 0) : a -> b\noutline(2) : b -> c, d\n"

@@ -1,14 +1,24 @@
-// invert: swap ink and paper. What is drawn inside an inverted shape is white on black. The paper's grammars
-// use it everywhere and define it nowhere; this is how their pictures look.
+// invert: swap ink and paper. What is drawn inside an inverted shape is white on black.
+//
+// The paper's grammars use it everywhere and define it nowhere. In the published pictures it blackens every
+// second strip or field of a split (`invert(even)` here), and single shapes whole; plain `invert()` takes all.
 #include "engines/tangle/operators/operators.h"
 
 namespace filigree::tangle {
 namespace {
 
+enum Port { inverted_port, rest_port };
+
 Result<OperatorOutput> run(const OperatorInput& input) {
+    const std::string_view which = input.arguments.word("which");
     OperatorOutput output;
-    output.groups.push_back({0, 0, {input.shapes.begin(), input.shapes.end()}});
-    for (Shape& shape : output.groups[0].shapes) shape.inked = !shape.inked;
+    output.groups = {{inverted_port, 0, {}}, {rest_port, 0, {}}};
+    for (Shape shape : input.shapes) {
+        const bool is_odd = ((shape.column ^ shape.row) & 1) != 0;  // the parity of column + row
+        const bool is_taken = which == "all" || is_odd == (which == "odd");
+        if (is_taken) shape.inked = !shape.inked;
+        output.groups[is_taken ? inverted_port : rest_port].shapes.push_back(shape);
+    }
     return output;
 }
 
@@ -18,8 +28,13 @@ Operator invert_operator() {
     return {{.name = "invert",
              .help = "swap ink and paper: black with white details, or back again",
              .source = "gTangle, supplemental grammars",
-             .ports = {{"shapes", "the same shapes, inverted"}},
-             .example = "invert() : remainder -> dark",
+             .parameters = {{.name = "which",
+                             .type = ParameterType::word,
+                             .help = "all shapes, or every second strip or field of the split that made them",
+                             .default_text = "all",
+                             .words = {"all", "even", "odd"}}},
+             .ports = {{"inverted", "the inverted shapes"}, {"rest", "those left as they are"}},
+             .example = "invert(even) : strips -> dark, light",
              .shrinks = false},
             run};
 }

@@ -53,6 +53,12 @@ Result<OperatorOutput> run(const OperatorInput& input) {
         options.limit = input.element_budget + 1 - std::min(input.element_budget, batch.added);
         const std::vector<ScatteredPoint> centres = scatter(polygon, options);
 
+        // What is placed, and what remains, stands in no lattice.
+        const auto add = [&](Port port, std::uint64_t local) {
+            Shape piece = piece_of(shape, input.step, local, batch.geometry.size());
+            piece.column = piece.row = 0;
+            batch.ports[port].push_back(piece);
+        };
         Polygons placed;
         for (const ScatteredPoint& centre : centres) {
             const std::uint64_t bits = random_bits(choice, Key{centre.cell}, "object");
@@ -62,14 +68,12 @@ Result<OperatorOutput> run(const OperatorInput& input) {
             if (ring.size() < 3) continue;
             placed.add_ring(ring);
             placed.end_polygon();
-            batch.ports[placed_port].push_back(
-                piece_of(shape, input.step, fold(placed_port, centre.cell), batch.geometry.size()));
+            add(placed_port, fold(placed_port, centre.cell));
             batch.geometry.add(placed[placed.size() - 1]);
         }
         const Polygons remainder = without(polygon, placed);
         for (std::size_t i = 0; i < remainder.size(); ++i) {
-            batch.ports[remainder_port].push_back(
-                piece_of(shape, input.step, fold(remainder_port, i), batch.geometry.size()));
+            add(remainder_port, fold(remainder_port, i));
             batch.geometry.add(remainder[i]);
         }
     });
