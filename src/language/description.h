@@ -10,28 +10,28 @@
 namespace filigree {
 
 enum class ParameterType {
-    whole,       // a whole number
-    real,        // a number
-    length,      // px after evaluation; bare numbers are in the document's unit
-    angle,       // degrees
-    direction,   // degrees, or one of `words`, or a call named in `calls`
-    flag,        // true, false, 0, 1, or the parameter's own name
-    word,        // one of `words`
-    lengths,     // one length or a list of them
+    whole,      // a whole number
+    real,       // a number
+    length,     // px after evaluation; bare numbers are in the document's unit
+    angle,      // degrees
+    direction,  // degrees, or one of `words`, or a call named in `calls`
+    flag,       // true, false, 0, 1, or the parameter's own name
+    word,       // one of `words`
+    lengths,    // one length or a list of them
     text,
-    point,       // (x, y) in lengths
+    point,  // (x, y) in lengths
     colour,
 };
 
 struct ParameterDescription {
-    std::string_view name = {};      // snake_case
+    std::string_view name = {};  // snake_case
     ParameterType type = ParameterType::real;
-    std::string_view help = {};      // one line, lower case, no full stop
+    std::string_view help = {};  // one line, lower case, no full stop
     // As the document would write it; may use the parameters before it. Empty: must be given.
     std::string_view default_text = {};
-    double low = -1e300, high = 1e300;  // allowed values, both ends included (px, degrees, plain)
-    std::vector<std::string_view> words = {};  // for `word` and `direction`
-    std::vector<std::string_view> calls = {};  // for `direction`: names of calls with one argument
+    double low = -1e300, high = 1e300;           // allowed values, both ends included (px, degrees, plain)
+    std::vector<std::string_view> words = {};    // for `word` and `direction`
+    std::vector<std::string_view> calls = {};    // for `direction`: names of calls with one argument
     std::vector<std::string_view> aliases = {};  // other names for the argument
 };
 
@@ -46,10 +46,10 @@ struct OperatorDescription {
     std::string_view help = {};                  // one line
     std::string_view source = {};                // "gTangle, section 4.2"
     std::vector<ParameterDescription> parameters = {};
-    std::vector<PortDescription> ports = {};     // in the order of the outputs
-    std::string_view example = {};               // a rule, as in a document
-    bool shrinks = true;                    // whether its outputs are smaller than its inputs
-    bool regroups = false;                  // whether one port may give several groups
+    std::vector<PortDescription> ports = {};  // in the order of the outputs
+    std::string_view example = {};            // a rule, as in a document
+    bool shrinks = true;                      // whether its outputs are smaller than its inputs
+    bool regroups = false;                    // whether one port may give several groups
 };
 
 // The description with this name or alias, or null.

@@ -20,46 +20,73 @@ struct Name {
     SourceSpan span;
 };
 
-struct VersionStatement { double version = 1; };             // filigree 1
-struct GrammarStatement { Name engine; };                    // grammar tangle
-struct SeedStatement { std::uint64_t seed = 0; SourceSpan value_span; };
-struct UnitStatement { Unit unit = Unit::px; };
-struct ResolutionStatement { ExpressionPtr value; };
-struct IncludeStatement { Name file; };                      // its text is the unescaped string
+struct VersionStatement {
+    double version = 1;
+};  // filigree 1
+struct GrammarStatement {
+    Name engine;
+};  // grammar tangle
+struct SeedStatement {
+    std::uint64_t seed = 0;
+    SourceSpan value_span;
+};
+struct UnitStatement {
+    Unit unit = Unit::px;
+};
+struct ResolutionStatement {
+    ExpressionPtr value;
+};
+struct IncludeStatement {
+    Name file;
+};  // its text is the unescaped string
 struct ParamStatement {
     Name name;
     ExpressionPtr value;
-    ExpressionPtr domain;       // after `in`; null if absent
-    ExpressionPtr step;         // null if absent
+    ExpressionPtr domain;  // after `in`; null if absent
+    ExpressionPtr step;    // null if absent
     std::optional<std::string> help;
 };
-struct LetStatement { Name name; ExpressionPtr value; };
+struct LetStatement {
+    Name name;
+    ExpressionPtr value;
+};
 struct PageStatement {
     enum class Kind { fit, named, size, tile };
     Kind kind = Kind::fit;
-    Name name;                  // for `named`: a4, letter, ...
+    Name name;                    // for `named`: a4, letter, ...
     ExpressionPtr width, height;  // for `size` and `tile`
-    ExpressionPtr margin;       // null if absent
+    ExpressionPtr margin;         // null if absent
 };
-struct LimitStatement { Name name; ExpressionPtr value; };
-struct SymmetryStatement { Name group; };
-struct PaletteStatement { Name name; ExpressionPtr colours; };
+struct LimitStatement {
+    Name name;
+    ExpressionPtr value;
+};
+struct SymmetryStatement {
+    Name group;
+};
+struct PaletteStatement {
+    Name name;
+    ExpressionPtr colours;
+};
 struct StartStatement {
-    Name tag;                   // empty text for `start from`
-    ExpressionPtr value;        // null for `start from`
-    std::optional<Name> from;   // the file of `start from`
+    Name tag;                  // empty text for `start from`
+    ExpressionPtr value;       // null for `start from`
+    std::optional<Name> from;  // the file of `start from`
 };
-struct StyleProperty { Name name; ExpressionPtr value; };
+struct StyleProperty {
+    Name name;
+    ExpressionPtr value;
+};
 struct StyleStatement {
-    std::vector<Name> tags;     // `*` stands for every tag
-    ExpressionPtr condition;    // null if absent
+    std::vector<Name> tags;   // `*` stands for every tag
+    ExpressionPtr condition;  // null if absent
     std::vector<StyleProperty> properties;
 };
 
 // [label =] operator(arguments) : tag [when ...] [weight ...] -> tags      (engines tangle and surface)
 struct OutputTag {
-    std::string port;  // `remainder: rem`; empty where outputs are given by order
-    std::string tag;   // empty for `<>`: an unnamed terminal
+    std::string port;      // `remainder: rem`; empty where outputs are given by order
+    std::string tag;       // empty for `<>`: an unnamed terminal
     bool dropped = false;  // `_`
     SourceSpan span;
 };
@@ -67,23 +94,23 @@ struct GroupRule {
     std::optional<Name> label;
     Name operator_name;
     std::vector<CallArgument> arguments;
-    Name tag;                   // what it matches
-    ExpressionPtr condition;    // null if absent
-    ExpressionPtr weight;       // null if absent
+    Name tag;                 // what it matches
+    ExpressionPtr condition;  // null if absent
+    ExpressionPtr weight;     // null if absent
     std::vector<OutputTag> outputs;
 };
 
 struct Statement {
     SourceSpan span;  // without the comment behind it
-    std::variant<VersionStatement, GrammarStatement, SeedStatement, UnitStatement, ResolutionStatement, IncludeStatement,
-                 ParamStatement, LetStatement, PageStatement, LimitStatement, SymmetryStatement, PaletteStatement,
-                 StartStatement, StyleStatement, GroupRule>
+    std::variant<VersionStatement, GrammarStatement, SeedStatement, UnitStatement, ResolutionStatement,
+                 IncludeStatement, ParamStatement, LetStatement, PageStatement, LimitStatement, SymmetryStatement,
+                 PaletteStatement, StartStatement, StyleStatement, GroupRule>
         node;
 };
 
 struct Document {
-    Sources sources;                 // [0] is the document; then included files in the order of their mention
-    std::vector<Unit> units;         // what a bare length means in each source
+    Sources sources;                    // [0] is the document; then included files in the order of their mention
+    std::vector<Unit> units;            // what a bare length means in each source
     std::vector<Statement> statements;  // of all sources, an included file's right behind its `include`
 
     const std::string& text() const { return sources.at(0).text; }

@@ -17,10 +17,19 @@ namespace filigree {
 
 enum class Unit : std::uint8_t {
     none,
-    mm, cm, m, inch, pt, px,  // lengths; inch is written `in`
-    deg, rad, turn,           // angles
-    percent,                  // a factor of 0.01
-    kilobyte, megabyte, gigabyte,  // powers of 1000
+    mm,
+    cm,
+    m,
+    inch,
+    pt,
+    px,  // lengths; inch is written `in`
+    deg,
+    rad,
+    turn,     // angles
+    percent,  // a factor of 0.01
+    kilobyte,
+    megabyte,
+    gigabyte,  // powers of 1000
     second,
 };
 
@@ -55,10 +64,19 @@ struct UnaryExpression {
     ExpressionPtr operand;
 };
 enum class BinaryOperator : std::uint8_t {
-    either, both,                                              // || &&
-    equal, unequal, less, less_equal, greater, greater_equal,  // `=` alone is no comparison
-    add, subtract, multiply, divide,
-    meet,                                                      // & : the product of shapes
+    either,
+    both,  // || &&
+    equal,
+    unequal,
+    less,
+    less_equal,
+    greater,
+    greater_equal,  // `=` alone is no comparison
+    add,
+    subtract,
+    multiply,
+    divide,
+    meet,  // & : the product of shapes
 };
 struct BinaryExpression {
     BinaryOperator op = BinaryOperator::add;
@@ -78,7 +96,7 @@ struct CallArgument {
     ExpressionPtr value;
 };
 struct CallExpression {
-    std::string name;      // in normal form C
+    std::string name;  // in normal form C
     SourceSpan name_span;
     std::vector<CallArgument> arguments;
 };

@@ -27,8 +27,8 @@ struct Settings {
     double resolution = 0.1;  // px: tolerance for flattening curves
     Page page;
     Limits limits;
-    std::optional<Name> symmetry;  // the group as written; the engine knows which it can
-    Scope globals;                 // params, lets, palettes (as lists), page.width, page.height
+    std::optional<Name> symmetry;               // the group as written; the engine knows which it can
+    Scope globals;                              // params, lets, palettes (as lists), page.width, page.height
     std::vector<const StyleStatement*> styles;  // in order; point into the document (style.h reads them)
     std::vector<const GroupRule*> rules;        // likewise
     std::vector<SourceSpan> rule_spans;

@@ -10,7 +10,6 @@
 
 namespace filigree::test_shapes {
 
-
 // A disc whose radius changes smoothly around it, by up to `wobble` of it, and by up to `jitter` at random.
 inline std::vector<Point> wobbly_ring(CaseRandom& random, Vec centre, double radius, int count, double wobble,
                                       double jitter) {

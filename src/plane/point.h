@@ -13,7 +13,7 @@ namespace filigree {
 
 __extension__ typedef __int128 Int128;
 
-constexpr double grid_per_px = 67108864.0;          // 2^26
+constexpr double grid_per_px = 67108864.0;                  // 2^26
 constexpr std::int64_t grid_limit = std::int64_t{1} << 56;  // 2^30 px
 
 struct Point {  // on the grid
