@@ -81,6 +81,18 @@ TEST(RegularSplit, FitStretchesToWholeStrips) {
     for (const tangle::Shape& strip : strips) EXPECT_NEAR(area(grown->tangle.polygon(strip)), 920, 1e-5);
 }
 
+TEST(RegularSplit, FlagsAreSaidInManyWays) {
+    const auto pieces = [](const std::string& arguments) {
+        return grow("start a = rectangle(80, 60)\nregular_split(" + arguments + ", angle: 0) : a -> b\n")->shapes("b");
+    };
+    for (const char* yes : {"line, 20, 1", "line, 20, dual", "line, 20, true", "20, dual: yes", "20, dual: 1"}) {
+        EXPECT_EQ(pieces(std::string(yes) + ", fit: yes"), 12U) << yes;
+    }
+    for (const char* no : {"line, 20, 0", "line, 20, false", "20, dual: no", "20"}) {
+        EXPECT_EQ(pieces(std::string(no) + ", fit: yes"), 3U) << no;
+    }
+}
+
 TEST(RegularSplit, OffsetsCycle) {
     const auto grown =
         grow("start a = rectangle(60, 90)\nregular_split(line, [10, 20], angle: 0, fit: true) : a -> b\n");

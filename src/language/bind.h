@@ -1,9 +1,9 @@
 // Binding: a call's arguments to a described operator's parameters.
 //
 // Positional arguments fill the parameters that have no named one, in order; one skips an optional parameter
-// whose type cannot take it (`place(20, 25)` skips the shape's word; a flag takes true, false, 0, 1 and its own
-// name). Named arguments go by name or alias. Binding is checked once, when the document is; evaluating is
-// done once for every step, and constant arguments are evaluated only when they are bound.
+// whose type cannot take it (`place(20, 25)` skips the shape's word; a flag takes true, false, yes, no, 0, 1 and its
+// own name). Named arguments go by name or alias. Binding is checked once, when the document is; evaluating is done
+// once for every step, and constant arguments are evaluated only when they are bound.
 #pragma once
 
 #include <optional>

@@ -15,7 +15,7 @@ enum class ParameterType {
     length,     // px after evaluation; bare numbers are in the document's unit
     angle,      // degrees
     direction,  // degrees, or one of `words`, or a call named in `calls`
-    flag,       // true, false, 0, 1, or the parameter's own name
+    flag,       // true, false, yes, no, 0, 1, or the parameter's own name
     word,       // one of `words`
     lengths,    // one length or a list of them
     text,

@@ -128,7 +128,7 @@ Evaluation expected_by(const ParameterDescription& parameter, const Document& do
             break;
         case ParameterType::flag:
             at.words = parameter.aliases;
-            at.words.insert(at.words.begin(), parameter.name);
+            at.words.insert(at.words.begin(), {parameter.name, "yes", "no"});
             at.whole = true;  // 0..1 is a choice between both
             break;
         case ParameterType::whole:
@@ -166,7 +166,8 @@ Result<Value> converted(const ParameterDescription& parameter, const Value& valu
         case ParameterType::direction:
             return to_direction(parameter, value, span);
         case ParameterType::flag: {
-            if (std::holds_alternative<Symbol>(value.data)) return Value{true, {}};  // only its own name gets here
+            // Only its own name, yes and no get here.
+            if (const Symbol* word = std::get_if<Symbol>(&value.data)) return Value{word->name != "no", {}};
             const Result<bool> flag = as_flag(value);
             if (!flag) return retold(parameter, value, flag, span);
             return Value{*flag, {}};
