@@ -267,6 +267,17 @@ TEST(Starts, UnionSwallowsItsOwnTag) {
     EXPECT_NEAR(grown->area_of("a"), 15000, 1e-6);
 }
 
+TEST(Starts, NothingOffThePlaneIsDroppedWithoutAWord) {
+    const std::string svg =
+        "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'><g id='hair'>"
+        "<rect width='40' height='20'/></g></svg>";
+    const std::string far = "start a = file(\"p.svg\", width: 1000000000px)\nstart a = circle(1px, at: (2e9px, 0px))\n";
+    const OpenedDocument opened = open_text("a.fil", "grammar tangle\n" + far, {{"p.svg", svg}});
+    const CheckedDocument checked = check_document(opened);
+    ASSERT_TRUE(has_errors(checked.diagnostics));
+    EXPECT_EQ(checked.diagnostics.front().code, "start.off-plane");
+}
+
 TEST(Starts, LayersOfAnSvgBecomeTags) {
     const std::string svg =
         "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'><g id='hair'><rect width='40' "

@@ -22,8 +22,6 @@ struct Piece {
     std::size_t statement = 0;  // number of its start, from 0
 };
 
-using Pieces = Result<std::vector<Piece>>;
-
 Diagnostic at_span(Diagnostic diagnostic, SourceSpan span) {
     if (diagnostic.span.file == SourceSpan::no_file) diagnostic.span = span;
     return diagnostic;
@@ -94,14 +92,9 @@ Result<SvgPicture> picture_of(const Inputs& inputs, const std::string& name, Sou
     if (picture) return picture;
     Diagnostics reasons;
     for (Diagnostic reason : picture.diagnostics()) {
-        reason.message = "in '" + name + "': " + reason.message;
-        if (reason.span.file == SourceSpan::no_file) {
-            const LineColumn place = line_column(
-                input->bytes,
-                std::min<std::uint32_t>(reason.span.begin, static_cast<std::uint32_t>(input->bytes.size())));
-            reason.message =
-                "in '" + name + "', line " + std::to_string(place.line) + ": " + reason.message.substr(name.size() + 7);
-        }
+        const auto size = static_cast<std::uint32_t>(input->bytes.size());
+        const LineColumn place = line_column(input->bytes, std::min(reason.span.begin, size));
+        reason.message = "in '" + name + "', line " + std::to_string(place.line) + ": " + reason.message;
         reason.span = span;
         reasons.push_back(std::move(reason));
     }
@@ -198,6 +191,9 @@ private:
         const SourceSpan whole = start.value->span;
         const std::string overlap(arguments.word("overlap"));
         std::vector<Piece> pieces;
+        const auto add_piece = [&](const std::vector<Polyline>& outlines, FillRule rule) {
+            return add_to(pieces, outlines, rule, start.tag.text, key, number, whole);
+        };
         const std::string_view name = arguments.description->name;
         if (name == "file") {
             const std::string file = std::get<std::string>(arguments.value("name").data);
@@ -211,10 +207,8 @@ private:
             if (!shapes) return refuse(shapes.diagnostics(), whole);
             const Transform to_size = scaled_to_width(*shapes, arguments.number("width"));
             for (const SvgShape* shape : *shapes) {
-                const std::vector<Polyline> outlines = flatten(transformed(shape->path, to_size), settings_.resolution);
-                if (auto off = off_plane(outlines)) return refuse({*off}, whole);
-                pieces.push_back(
-                    {clean(outlines, shape->fill_rule), start.tag.text, child(key, pieces.size()), number});
+                if (!add_piece(flatten(transformed(shape->path, to_size), settings_.resolution), shape->fill_rule))
+                    return;
             }
         } else if (name == "path") {
             const Result<Path> path = parse_path_data(std::get<std::string>(arguments.value("data").data));
@@ -229,16 +223,14 @@ private:
             const std::vector<Polyline> outlines =
                 flatten(transformed(*path, scaling(scale, scale)), settings_.resolution);
             if (auto open = open_subpath(outlines, "the start")) return refuse({*open}, whole);
-            if (auto off = off_plane(outlines)) return refuse({*off}, whole);
-            pieces.push_back({clean(outlines, FillRule::even_odd), start.tag.text, child(key, 0), number});
+            if (!add_piece(outlines, FillRule::even_odd)) return;
         } else {
             std::vector<Polyline> outlines = built_in_outline(arguments, settings_.resolution);
             const Vec at = std::get<Vec>(arguments.value("at").data);
             for (Polyline& outline : outlines) {
                 for (Vec& point : outline.points) point = point + at;
             }
-            if (auto off = off_plane(outlines)) return refuse({*off}, whole);
-            pieces.push_back({clean(outlines, FillRule::nonzero), start.tag.text, child(key, 0), number});
+            if (!add_piece(outlines, FillRule::nonzero)) return;
         }
         accept(std::move(pieces), overlap, whole);
     }
@@ -272,10 +264,22 @@ private:
                     {"give it an id, or grow from the whole file by: start big_poly = file(\"" + file.text + "\")"}));
                 return;
             }
-            pieces.push_back({clean(flatten(shape->path, settings_.resolution), shape->fill_rule), as_tag(layer),
-                              child(key, pieces.size()), number});
+            if (!add_to(pieces, flatten(shape->path, settings_.resolution), shape->fill_rule, as_tag(layer), key,
+                        number, file.span))
+                return;
         }
         accept(std::move(pieces), "top", file.span);
+    }
+
+    // The area of outlines as one more piece of a start; false, and an error, where it lies off the plane.
+    bool add_to(std::vector<Piece>& pieces, const std::vector<Polyline>& outlines, FillRule rule, std::string tag,
+                Key key, std::size_t number, SourceSpan span) {
+        if (const auto off = off_plane(outlines)) {
+            refuse({*off}, span);
+            return false;
+        }
+        pieces.push_back({clean(outlines, rule), std::move(tag), child(key, pieces.size()), number});
+        return true;
     }
 
     // Later pieces cover, swallow or refuse the earlier ones that they overlap.

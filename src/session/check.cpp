@@ -77,7 +77,7 @@ CheckedDocument check_document(const OpenedDocument& opened) {
         checked.grammar = std::move(*grammar);
         append(checked.diagnostics, style_warnings(*checked.settings, *checked.grammar));
     }
-    append(checked.diagnostics, tangle::graph_warnings(*checked.settings, opened.document, tags));
+    append(checked.diagnostics, tangle::graph_warnings(checked.graph, checked.rules, opened.document, tags));
     return checked;
 }
 

@@ -55,7 +55,7 @@ public:
                 first.polygon = shape.polygon;
                 group.shapes.push_back(first);
             }
-            count_elements(group.shapes.size());
+            elements_ += group.shapes.size();
             tangle_.groups.push_back(std::move(group));
         }
         tangle_.start_groups = static_cast<std::uint32_t>(tangle_.groups.size());
@@ -165,8 +165,6 @@ private:
         return candidates[winner];
     }
 
-    void count_elements(std::size_t shapes) { elements_ += shapes; }
-
     // Adds the step and its groups; a diagnostic where that would pass a limit.
     std::optional<Diagnostic> commit(std::uint32_t number, Expansion expansion) {
         const Rule& rule = grammar_.rules[expansion.rule];
@@ -202,7 +200,7 @@ private:
             for (Shape& shape : group.shapes) {
                 if (shape.geometry == none) shape.geometry = geometry;
             }
-            count_elements(group.shapes.size());
+            elements_ += group.shapes.size();
             memory_ += group.shapes.capacity() * sizeof(Shape) + sizeof(Group);
             tangle_.groups.push_back(std::move(group));
         }
@@ -246,12 +244,18 @@ Result<Tangle> derive(const Grammar& grammar, const PlaneStart& start, const Set
     return deriver.run(options, job);
 }
 
+std::string segment_of_group(const Tangle& tangle, const Grammar& grammar, std::uint32_t group) {
+    const Group& here = tangle.groups[group];
+    std::string segment = here.hidden ? "_" : grammar.tags[here.tag];
+    if (here.ordinal != 0) segment += "[" + std::to_string(here.ordinal) + "]";
+    return segment;
+}
+
 std::string path_of_group(const Tangle& tangle, const Grammar& grammar, std::uint32_t group) {
     std::string path;
     for (std::uint32_t at = group; at != none;) {
         const Group& here = tangle.groups[at];
-        std::string segment = here.hidden ? "_" : grammar.tags[here.tag];
-        if (here.ordinal != 0) segment += "[" + std::to_string(here.ordinal) + "]";
+        const std::string segment = segment_of_group(tangle, grammar, at);
         if (here.producer == none) return segment + path;
         const Step& step = tangle.steps[here.producer];
         path = "/" + grammar.rules[step.rule].segment + "/" + segment + path;

@@ -26,6 +26,7 @@ Result<Tangle> derive(const Grammar& grammar, const PlaneStart& start, const Set
                       const Document& document, const DeriveOptions& options, Executor& executor, const Job& job);
 
 // "big_poly/outline/in/regular_split/quads[3]": where a group stands, and a step's path without the last tag.
+std::string segment_of_group(const Tangle& tangle, const Grammar& grammar, std::uint32_t group);  // "quads[3]"
 std::string path_of_group(const Tangle& tangle, const Grammar& grammar, std::uint32_t group);
 std::string path_of_step(const Tangle& tangle, const Grammar& grammar, std::uint32_t step);
 

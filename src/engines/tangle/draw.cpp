@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "engines/tangle/derive.h"
 #include "engines/tangle/scopes.h"
 #include "language/style.h"
 
@@ -85,7 +86,7 @@ public:
         for (std::uint32_t g = 0; g < tangle_.start_groups; ++g) draw_leaf(g);
         drawing_.groups[0].end_shape = shape_count();
         std::vector<std::string> paths(tangle_.groups.size());
-        for (std::uint32_t g = 0; g < tangle_.start_groups; ++g) paths[g] = path_of(g, "");
+        for (std::uint32_t g = 0; g < tangle_.start_groups; ++g) paths[g] = segment_of_group(tangle_, grammar_, g);
         for (std::uint32_t s = 0; s < tangle_.steps.size() && errors_.empty(); ++s) {
             const Step& step = tangle_.steps[s];
             DrawingGroup group;
@@ -95,7 +96,7 @@ public:
                 if (tangle_.groups[g].consumer == none) {
                     draw_leaf(g);
                 } else {
-                    paths[g] = path_of(g, group.path + "/");
+                    paths[g] = group.path + "/" + segment_of_group(tangle_, grammar_, g);
                 }
             }
             group.end_shape = shape_count();
@@ -110,13 +111,6 @@ public:
 
 private:
     std::uint32_t shape_count() const { return static_cast<std::uint32_t>(drawing_.shapes.size()); }
-
-    std::string path_of(std::uint32_t group, const std::string& prefix) const {
-        const Group& here = tangle_.groups[group];
-        std::string path = prefix + (here.hidden ? "_" : grammar_.tags[here.tag]);
-        if (here.ordinal != 0) path += "[" + std::to_string(here.ordinal) + "]";
-        return path;
-    }
 
     void add_shape(const Shape& shape, const Style& style) {
         drawing_.shapes.push_back({shape.geometry, shape.polygon, styles_.index_of(style, drawing_.styles), shape.key});

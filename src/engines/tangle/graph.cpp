@@ -132,10 +132,8 @@ RuleGraph rule_graph(std::span<const GroupRule* const> rules) {
     return graph;
 }
 
-Diagnostics graph_warnings(const Settings& settings, const Document& document,
+Diagnostics graph_warnings(const RuleGraph& graph, std::span<const GroupRule* const> rules, const Document& document,
                            std::span<const std::string> start_tags) {
-    const std::span<const GroupRule* const> rules = settings.rules;
-    const RuleGraph graph = rule_graph(rules);
     const std::vector<bool> reached = reachable_rules(rules, graph, start_tags);
 
     std::map<std::string_view, const OutputTag*> producers;  // the first that makes each tag

@@ -8,9 +8,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
-#include "engines/tangle/operator.h"
 #include "language/document.h"
-#include "language/settings.h"
 
 namespace filigree::tangle {
 
@@ -25,6 +23,7 @@ RuleGraph rule_graph(std::span<const GroupRule* const> rules);
 
 // Warnings: rules that can never apply, outputs that differ from a matching tag by a slip, and rules that
 // give their own tag back without making shapes smaller.
-Diagnostics graph_warnings(const Settings& settings, const Document& document, std::span<const std::string> start_tags);
+Diagnostics graph_warnings(const RuleGraph& graph, std::span<const GroupRule* const> rules, const Document& document,
+                           std::span<const std::string> start_tags);
 
 }  // namespace filigree::tangle
