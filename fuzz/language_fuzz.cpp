@@ -6,7 +6,9 @@
 #include <string>
 #include <string_view>
 
+#include "language/choice_path.h"
 #include "language/edit.h"
+#include "language/edit_presets.h"
 #include "language/parse.h"
 
 namespace {
@@ -67,6 +69,20 @@ void check_edits(const Document& document) {
     }
 }
 
+// What is said of places of the derivation can be added to every right document.
+void check_preset_edits(const Document& document) {
+    const auto adds = [&](const Result<std::string>& text, std::string_view promise) {
+        require(static_cast<bool>(text), promise);
+        const Parsed edited = parse_document("fuzz.fil", *text, include);
+        require(edited.diagnostics.empty(), promise);
+    };
+    adds(with_preset(document, "a/b[2]/**/c.size", "one_of(3, 5..9)"), "a `set` can be added");
+    adds(with_default(document, "**.size~2", "4"), "a `default` can be added");
+    adds(with_keep(document, "a/b#2"), "a `keep` can be added");
+    adds(with_reroll(document, "a/*/b", 3), "a `reroll` can be added");
+    adds(with_apply(document, "rim = outline(5)", {"a/b", "a/b/2,3"}, "in, <>"), "an `apply` can be added");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -75,7 +91,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(parsed.document.text() == text || size > max_document_bytes, "the text is untouched");
     require(parsed.document.units.size() == parsed.document.sources.size(), "every source has a unit");
     check_spans(parsed);
-    if (parsed.diagnostics.empty()) check_edits(parsed.document);
+    if (parsed.diagnostics.empty()) {
+        check_edits(parsed.document);
+        check_preset_edits(parsed.document);
+    }
+    const Result<ChoicePath> path = parse_path(text);
+    if (path) {
+        const Result<ChoicePath> again = parse_path(to_text(*path));
+        require(again && same_path(*path, *again), "a path's text says the same");
+    }
     const Result<ExpressionPtr> expression = parse_expression(text);
     require(expression ? same_meaning(**expression, **parse_expression(text)) : has_errors(expression.diagnostics()),
             "an expression is read or an error says why not");

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
+#include <map>
 
 #include "base/unicode.h"
 #include "derivation/start_shapes.h"
@@ -122,10 +122,12 @@ std::string as_tag(const std::string& name) {
 
 class StartBuilder {
 public:
-    StartBuilder(const Settings& settings, const Document& document, const Inputs& inputs)
-        : settings_(settings), document_(document), inputs_(inputs) {}
+    StartBuilder(const Settings& settings, const Document& document, const Inputs& inputs, const DocumentSite& site,
+                 const PolygonView* host)
+        : settings_(settings), document_(document), inputs_(inputs), site_(site), host_(host) {}
 
     Result<PlaneStart> build() {
+        walk_ = begin_walk(site_, document_, settings_.globals, settings_.seed);
         for (const Statement& statement : document_.statements) {
             if (const auto* start = std::get_if<StartStatement>(&statement.node)) add_start(*start);
         }
@@ -148,7 +150,7 @@ private:
 
     void add_start(const StartStatement& start) {
         const std::size_t number = number_++;
-        const Key key = child(Key{hash_text("start")}, number + 1);
+        const Key key = rooted(site_, child(Key{hash_text("start")}, number + 1));
         if (start.from) {
             add_picture_layers(*start.from, key, number);
             return;
@@ -168,10 +170,25 @@ private:
         const Result<BoundCall> bound =
             bind(*description, call->arguments, start.value->span, document_, settings_.globals);
         if (!bound) return refuse(bound.diagnostics(), start.value->span);
-        const Result<Arguments> arguments =
-            evaluate_arguments(*bound, document_, settings_.globals, settings_.seed, key, {});
+        const PresetNode node = node_below(walk_, walk_.root, {segment_of(start.tag.text)});
+        const Result<StepChoices> choices = choices_at(walk_, node, settings_.globals, &choices_);
+        if (!choices) return refuse(choices.diagnostics(), start.value->span);
+        for (const std::uint32_t preset : node.accepted) {
+            const std::string& parameter = walk_.presets.all[preset].path->parameter;
+            const auto& known = description->parameters;
+            if (std::any_of(known.begin(), known.end(), [&](const auto& p) { return p.name == parameter; })) {
+                met_.push_back(preset);
+            }
+        }
+        const Result<Arguments> arguments = evaluate_arguments(*bound, document_, settings_.globals, *choices, key, {});
         if (!arguments) return refuse(arguments.diagnostics(), start.value->span);
         add_shape(*arguments, start, key, number);
+    }
+
+    // The first start of a tag stands in paths as the tag itself, later ones as tag#2, tag#3.
+    std::string segment_of(const std::string& tag) {
+        const std::uint32_t count = ++starts_of_tag_[tag];
+        return count == 1 ? tag : tag + "#" + std::to_string(count);
     }
 
     std::vector<std::string> shape_hints(const std::string& wanted) const {
@@ -224,6 +241,9 @@ private:
                 flatten(transformed(*path, scaling(scale, scale)), settings_.resolution);
             if (auto open = open_subpath(outlines, "the start")) return refuse({*open}, whole);
             if (!add_piece(outlines, FillRule::even_odd)) return;
+        } else if (name == "host") {
+            if (!set_fit(std::string(arguments.word("fit")), whole)) return;
+            pieces.push_back({host_area(), start.tag.text, child(key, 0), number});
         } else {
             std::vector<Polyline> outlines = built_in_outline(arguments, settings_.resolution);
             const Vec at = std::get<Vec>(arguments.value("at").data);
@@ -233,6 +253,44 @@ private:
             if (!add_piece(outlines, FillRule::nonzero)) return;
         }
         accept(std::move(pieces), overlap, whole);
+    }
+
+    // The way in which all host(...) of the document take the host's shape; false, and an error, where two differ.
+    bool set_fit(const std::string& fit, SourceSpan span) {
+        if (!fit_.empty() && fit_ != fit) {
+            diagnostics_.push_back(error("start.two-fits", "another start takes the host's shape with fit: " + fit_,
+                                         span, {"all starts by host(...) of a document have one fit"}));
+            return false;
+        }
+        if (fit != "keep" && settings_.page.kind == PageStatement::Kind::fit) {
+            diagnostics_.push_back(error("start.no-page", "fit: " + fit + " needs a page that is laid over the shape",
+                                         span, {"add one, such as: page 100 x 100"}));
+            return false;
+        }
+        fit_ = fit;
+        if (host_ != nullptr) to_host_ = page_onto(settings_.page, bounds(*host_), fit);
+        return true;
+    }
+
+    // The host's shape in this document's coordinates.
+    Polygons host_area() const {
+        if (host_ == nullptr) {
+            const bool has_page = settings_.page.kind != PageStatement::Kind::fit;
+            const Vec half = has_page ? Vec{settings_.page.width / 2, settings_.page.height / 2} : Vec{200, 150};
+            const Polyline page{{{-half.x, -half.y}, {half.x, -half.y}, {half.x, half.y}, {-half.x, half.y}}, true};
+            return clean(std::vector<Polyline>{page}, FillRule::nonzero);
+        }
+        Polygons area;
+        area.add(*host_);
+        if (fit_ == "keep") return area;
+        const Transform from_host = inverse(to_host_);
+        std::vector<Polyline> outlines;
+        for (std::size_t r = 0; r < host_->ring_count(); ++r) {
+            Polyline outline{{}, true};
+            for (const Point& point : host_->ring(r)) outline.points.push_back(apply(from_host, to_px(point)));
+            outlines.push_back(std::move(outline));
+        }
+        return clean(outlines, FillRule::even_odd);
     }
 
     static Transform scaled_to_width(const std::vector<const SvgShape*>& shapes, double width) {
@@ -286,6 +344,7 @@ private:
     void accept(std::vector<Piece> fresh, const std::string& overlap, SourceSpan span) {
         double largest = 0;
         for (Piece& piece : fresh) {
+            first_pieces_.emplace(piece.tag, piece.key);
             if (piece.area.empty()) continue;
             const Box box = bounds(piece.area);
             largest = std::max({largest, to_px(box.max).x - to_px(box.min).x, to_px(box.max).y - to_px(box.min).y});
@@ -313,14 +372,19 @@ private:
         }
     }
 
-    PlaneStart collect() const {
+    PlaneStart collect() {
         PlaneStart start;
+        start.choices = std::move(choices_);
+        start.met = std::move(met_);
+        start.in_host = host_ != nullptr && !fit_.empty();
+        start.to_host = to_host_;
         for (const Piece& piece : pieces_) {
             if (piece.area.empty()) continue;
             auto group = std::find_if(start.groups.begin(), start.groups.end(),
                                       [&](const StartGroup& known) { return known.tag == piece.tag; });
             if (group == start.groups.end()) {
-                start.groups.push_back({piece.tag, child(Key{hash_text("start group")}, start.groups.size() + 1), {}});
+                const Key first = first_pieces_.find(piece.tag)->second;
+                start.groups.push_back({piece.tag, child(Key{hash_text("start group")}, first.value), {}});
                 group = start.groups.end() - 1;
             }
             for (std::size_t i = 0; i < piece.area.size(); ++i) {
@@ -334,6 +398,15 @@ private:
     const Settings& settings_;
     const Document& document_;
     const Inputs& inputs_;
+    const DocumentSite& site_;
+    const PolygonView* host_;
+    PresetWalk walk_;
+    ChoiceBuffer choices_;
+    std::vector<std::uint32_t> met_;
+    std::map<std::string, std::uint32_t> starts_of_tag_;
+    std::map<std::string, Key> first_pieces_;  // of each tag
+    std::string fit_;                          // of the starts by host(...); empty where there is none
+    Transform to_host_;
     std::vector<Piece> pieces_;
     Diagnostics diagnostics_;
     std::size_t number_ = 0;
@@ -341,8 +414,23 @@ private:
 
 }  // namespace
 
-Result<PlaneStart> make_plane_start(const Settings& settings, const Document& document, const Inputs& inputs) {
-    return StartBuilder(settings, document, inputs).build();
+Result<PlaneStart> make_plane_start(const Settings& settings, const Document& document, const Inputs& inputs,
+                                    const DocumentSite& site, const PolygonView* host) {
+    return StartBuilder(settings, document, inputs, site, host).build();
+}
+
+Transform page_onto(const Page& page, const Box& box, std::string_view fit) {
+    if (fit == "keep") return {};
+    const Vec low = to_px(box.min), high = to_px(box.max);
+    const double across = (high.x - low.x) / page.width, down = (high.y - low.y) / page.height;
+    double x = across, y = down;
+    if (fit == "cover") x = y = std::max(across, down);
+    if (fit == "contain") x = y = std::min(across, down);
+    Transform onto = scaling(x, y);
+    const Vec centre = 0.5 * (low + high);
+    onto.e = centre.x;
+    onto.f = centre.y;
+    return onto;
 }
 
 std::vector<Name> start_files(const Document& document) {

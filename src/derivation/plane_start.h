@@ -12,29 +12,47 @@
 #include "base/random.h"
 #include "base/result.h"
 #include "derivation/inputs.h"
+#include "language/preset_walk.h"
 #include "language/settings.h"
 #include "plane/polygon.h"
+#include "plane/transform.h"
 
 namespace filigree {
 
 struct StartShape {
     std::uint32_t polygon = 0;  // index into PlaneStart::polygons
     Key key;                    // of its start statement and its place in it; the tag is not hashed
+
+    bool operator==(const StartShape&) const = default;
 };
 // One group to begin with: the shapes of all starts of one tag.
 struct StartGroup {
     std::string tag;
-    Key key;
+    Key key;  // of the first piece that has its tag, whether anything of that is left or not
     std::vector<StartShape> shapes;
+
+    bool operator==(const StartGroup&) const = default;
 };
 struct PlaneStart {
     Polygons polygons;
     std::vector<StartGroup> groups;  // in the order in which their tags first appear
+    ChoiceBuffer choices;            // made in the starts' arguments
+    std::vector<std::uint32_t> met;  // presets in force that a start has met
+    bool in_host = false;            // whether a start is the host's shape
+    Transform to_host;               // from this document's coordinates to the host's, where in_host
+
+    bool is_same(const PlaneStart& other) const { return polygons == other.polygons && groups == other.groups; }
 };
 
 // Reports every start that is wrong: unknown shapes (with the nearest), missing files, open paths, ids that
 // an SVG lacks, empty results, shapes larger than the plane or smaller than a px, and starts without area.
-Result<PlaneStart> make_plane_start(const Settings& settings, const Document& document, const Inputs& inputs);
+// `host`: the one polygon that `host(...)` means, in the host's coordinates; null for a document on its own, where it
+// is the page, else a rectangle of 400 x 300 px.
+Result<PlaneStart> make_plane_start(const Settings& settings, const Document& document, const Inputs& inputs,
+                                    const DocumentSite& site = {}, const PolygonView* host = nullptr);
+
+// How a document's page, centred on the origin, is laid over a box: words as in host(fit: ...).
+Transform page_onto(const Page& page, const Box& box, std::string_view fit);
 
 // The files that the document's starts name, each once, in order, with where they are named.
 std::vector<Name> start_files(const Document& document);

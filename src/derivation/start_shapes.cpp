@@ -74,6 +74,14 @@ std::vector<OperatorDescription> make_descriptions() {
           .low = 0,
           .high = largest_px}},
         "start big_poly = file(\"leaf.svg\", id: \"outline\", width: 120mm)");
+    add("host", "the shape of another document that embeds this one; on its own, this document's page",
+        {{.name = "fit",
+          .type = ParameterType::word,
+          .help = "how this document's page is laid over the shape's box: not at all (a length stays what it is), "
+                  "covering it, within it, or stretched to it",
+          .default_text = "keep",
+          .words = {"keep", "cover", "contain", "stretch"}}},
+        "start ground = host(fit: cover)");
     return all;
 }
 

@@ -5,54 +5,40 @@
 
 #include "language/bind.h"
 #include "language/parameter_value.h"
+#include "language/walk.h"
 
 namespace filigree {
 
 namespace {
 
-// Some value of the parameter's type, for a step without shapes, which nothing is done with.
-Value neutral(const ParameterDescription& parameter) {
-    const double number = std::min(std::max(1.0, parameter.low), parameter.high);
-    switch (parameter.type) {
-        case ParameterType::whole:
-        case ParameterType::real:
-            return {Quantity{number, 0, false}, {}};
-        case ParameterType::length:
-            return {Quantity{number, 1, false}, {}};
-        case ParameterType::angle:
-        case ParameterType::direction:
-            return {Quantity{number, 0, true}, {}};
-        case ParameterType::flag:
-            return {false, {}};
-        case ParameterType::word:
-            return {Symbol{std::string(parameter.words.empty() ? "" : parameter.words.front())}, {}};
-        case ParameterType::lengths:
-            return {ValueList{{Value{Quantity{number, 1, false}, {}}}}, {}};
-        case ParameterType::text:
-            return {std::string(), {}};
-        case ParameterType::point:
-            return {Vec{}, {}};
-        case ParameterType::colour:
-            return {Colour{}, {}};
-    }
-    return {};
+bool mentions(const Expression& expression, std::span<const std::string_view> wanted) {
+    if (wanted.empty()) return false;
+    const std::vector<NameInExpression> names = names_in(expression);
+    return std::any_of(names.begin(), names.end(), [wanted](const NameInExpression& name) {
+        return std::find(wanted.begin(), wanted.end(), name.text) != wanted.end();
+    });
+}
+
+bool has_each(const Preset& preset) {
+    return varies_by_shape(*preset.value) || (preset.condition && varies_by_shape(*preset.condition));
 }
 
 class ArgumentsEvaluator {
 public:
-    ArgumentsEvaluator(const BoundCall& call, const Document& document, const Scope& step_scope, std::uint64_t seed,
-                       Key step, std::span<const ShapeContext> shapes)
-        : call_(call), document_(document), step_scope_(step_scope), seed_(seed), step_(step), shapes_(shapes) {}
+    ArgumentsEvaluator(const BoundCall& call, const Document& document, const Scope& step_scope,
+                       const StepChoices& choices, Key step, std::span<const ShapeContext> shapes)
+        : call_(call), document_(document), step_scope_(step_scope), choices_(choices), step_(step), shapes_(shapes) {}
 
     Result<Arguments> run() {
         arguments_.description = call_.description;
         const std::size_t count = call_.description->parameters.size();
         arguments_.values.resize(count);
         for (std::size_t i = 0; i < count; ++i) {
-            if (call_.constants[i]) {
+            const std::vector<const Preset*> presets = presets_in_force(choices_, parameter(i).name);
+            if (call_.constants[i] && presets.empty()) {
                 arguments_.values[i].common = *call_.constants[i];
-            } else if (call_.given[i] || diagnostics_.empty()) {  // a default may need what failed
-                take(i);
+            } else if ((call_.given[i] && presets.empty()) || diagnostics_.empty()) {  // others may need what failed
+                take(i, presets);
             }
         }
         if (has_errors(diagnostics_)) return std::move(diagnostics_);
@@ -63,68 +49,122 @@ private:
     const BoundCall& call_;
     const Document& document_;
     const Scope& step_scope_;
-    const std::uint64_t seed_;
+    const StepChoices& choices_;
     const Key step_;
     const std::span<const ShapeContext> shapes_;
+    std::vector<const ShapeChoices*> choices_of_shapes_;  // null where there are none
     Arguments arguments_;
     Diagnostics diagnostics_;
 
-    // The parameters before i as names, for its default.
+    const ParameterDescription& parameter(std::size_t i) const { return call_.description->parameters[i]; }
+
+    // The parameters before i as names, for its default and its presets.
     Scope earlier(std::size_t i, std::size_t shape) const {
         Scope scope{&step_scope_};
         for (std::size_t k = 0; k < i; ++k) {
-            scope.names.emplace(std::string(call_.description->parameters[k].name), arguments_.values[k].at(shape));
+            scope.names.emplace(std::string(parameter(k).name), arguments_.values[k].at(shape));
         }
         return scope;
     }
-    bool varies_before(std::size_t i) const {
+    std::vector<std::string_view> varying_before(std::size_t i) const {
+        std::vector<std::string_view> names;
         for (std::size_t k = 0; k < i; ++k) {
-            if (!arguments_.values[k].per_shape.empty()) return true;
+            if (!arguments_.values[k].per_shape.empty()) names.push_back(parameter(k).name);
         }
-        return false;
+        return names;
+    }
+    bool varies(std::size_t i, const std::vector<const Preset*>& presets) const {
+        const std::vector<std::string_view> varying = varying_before(i);
+        if (!call_.given[i] && !varying.empty()) return true;
+        return varies_by_shape(*call_.expressions[i]) ||
+               std::any_of(presets.begin(), presets.end(), [&](const Preset* preset) {
+                   return has_each(*preset) || mentions(*preset->value, varying) ||
+                          (preset->condition && mentions(*preset->condition, varying));
+               });
     }
 
-    void take(std::size_t i) {
-        const bool is_default = !call_.given[i];
+    const ShapeChoices* choices_of(std::size_t shape) {
+        if (choices_.shapes.empty()) return nullptr;
+        if (choices_of_shapes_.empty()) {
+            choices_of_shapes_.resize(shapes_.size());
+            for (const ShapeChoices& one : choices_.shapes) {
+                if (one.shape < shapes_.size()) choices_of_shapes_[one.shape] = &one;
+            }
+        }
+        return choices_of_shapes_[shape];
+    }
+
+    void take(std::size_t i, const std::vector<const Preset*>& presets) {
         ArgumentValue& argument = arguments_.values[i];
-        if (!varies_by_shape(*call_.expressions[i]) && !(is_default && varies_before(i))) {
-            if (std::optional<Value> value = one(i, nullptr, 0)) argument.common = std::move(*value);
+        if (!varies(i, presets)) {
+            if (std::optional<Value> value = one(i, nullptr, 0, !presets.empty())) argument.common = std::move(*value);
             return;
         }
         if (shapes_.empty()) {
-            argument.common = neutral(call_.description->parameters[i]);
+            argument.common = example_of(parameter(i));
             return;
         }
+        std::vector<std::string> seen;  // names of the choices that are common to all shapes
         argument.per_shape.reserve(shapes_.size());
         for (std::size_t shape = 0; shape < shapes_.size(); ++shape) {
-            std::optional<Value> value = one(i, &shapes_[shape], shape);
+            const std::size_t recorded = choices_.record != nullptr ? choices_.record->rows.size() : 0;
+            const bool has_presets = !presets.empty() || choices_of(shape) != nullptr;
+            std::optional<Value> value = one(i, &shapes_[shape], shape, has_presets);
             if (!value) return;  // the others would only say the same
             argument.per_shape.push_back(std::move(*value));
+            if (choices_.record != nullptr) drop_repeated(*choices_.record, recorded, seen);
         }
     }
 
-    std::optional<Value> one(std::size_t i, const ShapeContext* shape, std::size_t index) {
-        const ParameterDescription& parameter = call_.description->parameters[i];
-        const Expression& expression = *call_.expressions[i];
-        Scope scope_of_default;
+    // Choices outside of each(...) are made at the step's key for every shape, with the same result.
+    void drop_repeated(ChoiceBuffer& buffer, std::size_t first, std::vector<std::string>& seen) const {
+        const auto is_repeated = [&](const ChoiceBuffer::Row& row) {
+            if (row.key != step_) return false;
+            const std::string& name = buffer.places[row.place].name;
+            if (std::find(seen.begin(), seen.end(), name) != seen.end()) return true;
+            seen.push_back(name);
+            return false;
+        };
+        const auto fresh = buffer.rows.begin() + static_cast<std::ptrdiff_t>(first);
+        buffer.rows.erase(std::remove_if(fresh, buffer.rows.end(), is_repeated), buffer.rows.end());
+    }
+
+    std::optional<Value> one(std::size_t i, const ShapeContext* shape, std::size_t index, bool has_presets) {
+        const Expression* own = call_.constants[i] ? nullptr : call_.expressions[i].get();
         Evaluation at = call_.expected[i];
         at.document = &document_;
-        at.scope = &step_scope_;
-        if (!call_.given[i]) {
-            scope_of_default = earlier(i, index);
-            at.scope = &scope_of_default;
-        }
-        at.site = {seed_, step_, std::string(parameter.name)};
+        at.site = {0, step_, std::string(parameter(i).name)};
         if (shape != nullptr) {
             at.shape_scope = &shape->scope;
             at.shape_key = shape->key;
         }
-        const SourceSpan span = call_.given[i] ? expression.span : call_.span;
-        Result<Value> value = evaluate(expression, at);
-        if (!value) return fail(std::move(value).diagnostics());
-        Result<Value> result = converted(parameter, *value, document_, span);
+        Scope with_earlier;
+        if (!call_.given[i] || has_presets) with_earlier = earlier(i, index);
+        at.scope = call_.given[i] ? &step_scope_ : &with_earlier;
+        if (!has_presets) return taken(i, decide(choices_, parameter(i).name, own, at));
+
+        Evaluation of_presets = at;
+        of_presets.scope = &with_earlier;
+        Scope of_shape{&with_earlier};
+        if (shape != nullptr) {
+            of_shape.names = shape->scope.names;
+            of_presets.shape_scope = &of_shape;
+        }
+        return taken(i, decide(choices_, parameter(i).name, own, at, &of_presets,
+                               shape != nullptr ? choices_of(index) : nullptr));
+    }
+
+    // In the parameter's type.
+    std::optional<Value> taken(std::size_t i, Result<std::optional<DecidedValue>> decided) {
+        if (!decided) return fail(std::move(decided).diagnostics());
+        if (!*decided) return *call_.constants[i];
+        const Preset* preset = (*decided)->preset;
+        const Document& document = preset != nullptr ? *preset->document : document_;
+        const SourceSpan own_span = call_.given[i] ? call_.expressions[i]->span : call_.span;
+        const SourceSpan span = preset != nullptr ? preset->value->span : own_span;
+        Result<Value> result = converted(parameter(i), (*decided)->value, document, span);
         if (!result) return fail(std::move(result).diagnostics());
-        if (std::optional<Diagnostic> problem = out_of_range(parameter, *result, span)) return fail({*problem});
+        if (std::optional<Diagnostic> problem = out_of_range(parameter(i), *result, span)) return fail({*problem});
         return std::move(*result);
     }
 
@@ -155,8 +195,16 @@ const T& data_of(const Arguments& arguments, std::string_view name, std::size_t 
 }  // namespace
 
 Result<Arguments> evaluate_arguments(const BoundCall& call, const Document& document, const Scope& step_scope,
-                                     std::uint64_t seed, Key step, std::span<const ShapeContext> shapes) {
-    return ArgumentsEvaluator(call, document, step_scope, seed, step, shapes).run();
+                                     const StepChoices& choices, Key step, std::span<const ShapeContext> shapes) {
+    return ArgumentsEvaluator(call, document, step_scope, choices, step, shapes).run();
+}
+
+bool presets_vary_by_shape(const BoundCall& call, const StepChoices& choices) {
+    const auto& parameters = call.description->parameters;
+    return std::any_of(parameters.begin(), parameters.end(), [&](const ParameterDescription& parameter) {
+        const std::vector<const Preset*> presets = presets_in_force(choices, parameter.name);
+        return std::any_of(presets.begin(), presets.end(), [](const Preset* preset) { return has_each(*preset); });
+    });
 }
 
 const Value& Arguments::value(std::string_view name, std::size_t shape) const {

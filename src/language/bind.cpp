@@ -2,47 +2,33 @@
 
 #include <algorithm>
 
-#include "base/number_text.h"
-#include "language/check.h"
+#include "language/argument_check.h"
 #include "language/names.h"
 #include "language/parameter_value.h"
 #include "language/parse.h"
-#include "language/walk.h"
 
 namespace filigree {
 
 namespace {
-
-using Kind = Alternative::Kind;
 
 bool has_name(const ParameterDescription& parameter, std::string_view name) {
     return parameter.name == name ||
            std::find(parameter.aliases.begin(), parameter.aliases.end(), name) != parameter.aliases.end();
 }
 bool is_required(const ParameterDescription& parameter) { return parameter.default_text.empty(); }
-bool takes_numbers(const ParameterDescription& parameter) {
-    switch (parameter.type) {
-        case ParameterType::whole:
-        case ParameterType::real:
-        case ParameterType::length:
-        case ParameterType::angle:
-        case ParameterType::direction:
-        case ParameterType::lengths:
-            return true;
-        default:
-            return false;
-    }
-}
 std::string quoted(std::string_view name) { return "'" + std::string(name) + "'"; }
 
 class Binder {
 public:
-    Binder(const OperatorDescription& description, SourceSpan call, const Document& document, const Scope& globals)
+    Binder(const OperatorDescription& description, SourceSpan call, const Document& document, const Scope& globals,
+           const Scope* varying)
         : description_(description),
           document_(document),
           globals_(globals),
-          example_step_(example_scope(step_names(), &globals)),
-          example_shape_(example_scope(shape_names(), nullptr)) {
+          between_(scope_between(globals, varying)),
+          example_step_(example_scope(step_names(), &between_)),
+          example_shape_(example_scope(shape_names(), nullptr)),
+          varying_(varying_names(between_)) {
         const std::size_t count = description.parameters.size();
         bound_.description = &description;
         bound_.span = call;
@@ -50,7 +36,8 @@ public:
         bound_.given.resize(count);
         bound_.constants.resize(count);
         for (const ParameterDescription& parameter : description.parameters) {
-            bound_.expected.push_back(expected_by(parameter, document, &globals));
+            bound_.expected.push_back(expected_by(parameter, document, &between_));
+            bound_.expected.back().scope = &globals;
         }
         broken_.resize(count);
     }
@@ -72,7 +59,8 @@ private:
     const OperatorDescription& description_;
     const Document& document_;
     const Scope& globals_;
-    const Scope example_step_, example_shape_;
+    const Scope between_, example_step_, example_shape_;
+    const std::vector<std::string_view> varying_;
     BoundCall bound_;
     std::vector<bool> broken_;  // given, but already reported
     Diagnostics diagnostics_;
@@ -87,8 +75,8 @@ private:
         at.shape_key = Key{};
         return at;
     }
-    bool is_fixed(const Expression& expression, const Evaluation& at) const {
-        return is_constant(expression, at, &globals_, step_names());
+    ArgumentCheck check(std::size_t i) const {
+        return {parameter(i), document_, &globals_, varying_, example_evaluation(i)};
     }
 
     void take_named(const CallArgument& argument) {
@@ -141,7 +129,7 @@ private:
         const std::size_t count = description_.parameters.size();
         for (std::size_t i = next; i < count; ++i) {
             if (bound_.given[i]) continue;
-            if (fits(i, *argument)) {
+            if (check(i).fits(*argument)) {
                 give(i, argument);
                 return i + 1;
             }
@@ -176,94 +164,13 @@ private:
             report(unknown_name(name->name, argument.span, at, Place{}));
             return;
         }
-        Diagnostics problems = problems_of(i, argument);
+        Diagnostics problems = check(i).problems(argument);
         if (problems.empty()) {
             problems.push_back(error(
                 "language.wrong-kind",
                 quoted(parameter(i).name) + " must be " + std::string(type_name(parameter(i).type)), argument.span));
         }
         append(diagnostics_, std::move(problems));
-    }
-
-    // Whether every alternative of the argument is of the parameter's type. Its range is looked at later, so
-    // that a value out of range is reported and not passed on to the next parameter.
-    bool fits(std::size_t i, const Expression& argument) const {
-        Evaluation at = example_evaluation(i);
-        for (const Alternative& alternative : alternatives_of(argument)) {
-            if (alternative.kind == Kind::range) continue;
-            at.by_shape = alternative.by_shape;
-            const bool fixed = is_fixed(*alternative.expression, at);
-            const Result<Value> value = evaluate(*alternative.expression, at);
-            if (!value) {
-                const Diagnostics& problems = value.diagnostics();
-                if (takes_numbers(parameter(i)) && std::all_of(problems.begin(), problems.end(), depends_on_values)) {
-                    continue;
-                }
-                return false;
-            }
-            if (!all_fit(i, alternative, *value, fixed)) return false;
-        }
-        return true;
-    }
-    bool all_fit(std::size_t i, const Alternative& alternative, const Value& value, bool fixed) const {
-        const ValueList* list = std::get_if<ValueList>(&value.data);
-        if (alternative.kind == Kind::items && list != nullptr) {
-            return std::all_of(list->items.begin(), list->items.end(), [&](const Value& item) {
-                return all_fit(i, {alternative.expression, Kind::value}, item, fixed);
-            });
-        }
-        if (parameter(i).type == ParameterType::flag && !fixed && std::holds_alternative<Quantity>(value.data)) {
-            return false;
-        }
-        const Result<Value> result = converted(parameter(i), value, document_, alternative.expression->span);
-        if (result) return true;
-        const bool free = !fixed || alternative.kind == Kind::range_end;
-        return parameter(i).type != ParameterType::flag && free && depends_on_values(result.diagnostics().front());
-    }
-
-    Diagnostics problems_of(std::size_t i, const Expression& argument) const {
-        Evaluation at = example_evaluation(i);
-        Diagnostics out = check_expression(argument, at);
-        if (!out.empty()) return out;
-        for (const Alternative& alternative : alternatives_of(argument)) {
-            at.by_shape = alternative.by_shape;
-            const bool fixed = is_fixed(*alternative.expression, at);
-            const bool fixed_choice =
-                alternative.kind == Kind::range && uses_only(*alternative.expression, at, &globals_, step_names());
-            Result<Value> value = evaluate(*alternative.expression, at);
-            Diagnostics found;
-            if (!value) {
-                found = std::move(value).diagnostics();
-            } else if (alternative.kind != Kind::range) {
-                found = problems_of_value(i, alternative, *value);
-            }
-            if (!fixed && !fixed_choice) std::erase_if(found, depends_on_values);
-            for (Diagnostic& problem : found) {
-                if (std::find(out.begin(), out.end(), problem) == out.end()) out.push_back(std::move(problem));
-            }
-        }
-        return out;
-    }
-    Diagnostics problems_of_value(std::size_t i, const Alternative& alternative, const Value& value) const {
-        const ValueList* list = std::get_if<ValueList>(&value.data);
-        if (alternative.kind == Kind::items && list != nullptr) {
-            Diagnostics out;
-            for (const Value& item : list->items) {
-                out = problems_of_value(i, {alternative.expression, Kind::value}, item);
-                if (!out.empty()) break;
-            }
-            return out;
-        }
-        const SourceSpan span = alternative.expression->span;
-        Result<Value> result = converted(parameter(i), value, document_, span);
-        if (!result) {
-            Diagnostics out = std::move(result).diagnostics();
-            // The ends of a whole range need not be whole themselves.
-            if (alternative.kind == Kind::range_end) std::erase_if(out, depends_on_values);
-            return out;
-        }
-        if (std::optional<Diagnostic> problem = out_of_range(parameter(i), *result, span)) return {*problem};
-        return {};
     }
 
     void finish(std::size_t i) {
@@ -274,15 +181,22 @@ private:
         }
         if (!bound_.expressions[i]) return;
         const Expression& expression = *bound_.expressions[i];
-        Diagnostics problems = problems_of(i, expression);
+        const ArgumentCheck checked = check(i);
+        Diagnostics problems = checked.problems(expression);
         const bool wrong = !problems.empty();
         append(diagnostics_, std::move(problems));
-        if (wrong || !is_fixed(expression, bound_.expected[i])) return;
+        if (wrong || !checked.is_fixed(expression)) return;
         const Result<Value> value = evaluate(expression, bound_.expected[i]);
         if (!value) return append(diagnostics_, value.diagnostics());
         Result<Value> result = converted(parameter(i), *value, document_, expression.span);
         if (!result) return append(diagnostics_, std::move(result).diagnostics());
         bound_.constants[i] = std::move(*result);
+    }
+
+    std::vector<std::string_view> names_in_defaults() const {
+        std::vector<std::string_view> names = varying_;
+        for (const ParameterDescription& known : description_.parameters) names.push_back(known.name);
+        return names;
     }
 
     void take_default(std::size_t i) {
@@ -305,7 +219,7 @@ private:
         // Defaults know the parameters before them and the step, but no name of the document.
         bound_.expected[i] = expected_by(parameter(i), document_, nullptr);
         const Evaluation& at = bound_.expected[i];
-        if (!is_constant(**parsed, at, nullptr, {})) return;
+        if (!is_constant(**parsed, at, nullptr, names_in_defaults())) return;
         const Result<Value> value = evaluate(**parsed, at);
         if (!value) return broken_default(value.diagnostics().front().message);
         Result<Value> result = converted(parameter(i), *value, document_, bound_.span);
@@ -320,8 +234,8 @@ private:
 }  // namespace
 
 Result<BoundCall> bind(const OperatorDescription& description, const std::vector<CallArgument>& arguments,
-                       SourceSpan call, const Document& document, const Scope& globals) {
-    return Binder(description, call, document, globals).run(arguments);
+                       SourceSpan call, const Document& document, const Scope& globals, const Scope* varying) {
+    return Binder(description, call, document, globals, varying).run(arguments);
 }
 
 }  // namespace filigree

@@ -14,6 +14,7 @@
 #include "base/result.h"
 #include "language/description.h"
 #include "language/evaluate.h"
+#include "language/step_choices.h"
 
 namespace filigree {
 
@@ -29,14 +30,15 @@ struct BoundCall {
 
 // Reports every surplus, unknown, doubled, missing and mistyped argument. Constant arguments are checked
 // against type and range now, as are the ends of ranges and the alternatives of choices that are constant;
-// others when they are evaluated. `globals` must outlive the result.
+// others when they are evaluated. `varying`: example values of names between the globals and what a step knows (the
+// parameters of a macro around the call), whose values are known only at each step. `globals` must outlive the result.
 Result<BoundCall> bind(const OperatorDescription& description, const std::vector<CallArgument>& arguments,
-                       SourceSpan call, const Document& document, const Scope& globals);
+                       SourceSpan call, const Document& document, const Scope& globals, const Scope* varying = nullptr);
 
 // The value of each parameter for one step.
 struct ArgumentValue {
     Value common = {};                  // where it is the same for all shapes
-    std::vector<Value> per_shape = {};  // else one a shape (the document wrote each(...))
+    std::vector<Value> per_shape = {};  // else one a shape (the document or a preset wrote each(...))
 
     const Value& at(std::size_t shape) const { return per_shape.empty() ? common : per_shape[shape]; }
 };
@@ -58,10 +60,15 @@ struct ShapeContext {
     Scope scope = {};  // index, x, y, i, j
 };
 
-// Evaluates all arguments of a step in order; earlier parameters are visible to later defaults. `shapes` is
-// read only where an argument varies by shape. Choices are drawn at (seed, step key, parameter's name), inside
-// each(...) at the shape's key.
+// Evaluates all arguments of a step in order; earlier parameters are visible to later defaults and to presets. `shapes`
+// is read only where an argument varies by shape. Choices are made at (step key, parameter's name), inside each(...)
+// at the shape's key. A preset of the step goes before the document's expression; where an argument varies by shape,
+// one of a single shape (StepChoices::shapes) goes before both. A preset's value is converted and must lie in the
+// parameter's range like any other; what is wrong with it is reported where it stands.
 Result<Arguments> evaluate_arguments(const BoundCall& call, const Document& document, const Scope& step_scope,
-                                     std::uint64_t seed, Key step, std::span<const ShapeContext> shapes);
+                                     const StepChoices& choices, Key step, std::span<const ShapeContext> shapes);
+
+// Whether a preset holds each(...), so that evaluate_arguments needs the shapes although the call itself does not.
+bool presets_vary_by_shape(const BoundCall& call, const StepChoices& choices);
 
 }  // namespace filigree

@@ -33,6 +33,12 @@ const OperatorDescription split = {
                    {.name = "ink", .type = colour, .default_text = "black"}},
 };
 
+StepChoices with_seed(std::uint64_t seed) {
+    StepChoices choices;
+    choices.seed = seed;
+    return choices;
+}
+
 class Binding : public testing::Test {
 protected:
     Document document = document_of("unit px\n");
@@ -67,7 +73,7 @@ protected:
         document = document_of("unit px\n");
         const Result<BoundCall> call = bound(description, text);
         if (!call) return problems(call.diagnostics(), "f(" + text + ")");
-        const Result<Arguments> arguments = evaluate_arguments(*call, document, step, seed, Key{5}, shapes);
+        const Result<Arguments> arguments = evaluate_arguments(*call, document, step, with_seed(seed), Key{5}, shapes);
         if (!arguments) return problems(arguments.diagnostics(), "f(" + text + ")");
         std::string out;
         for (std::size_t i = 0; i < description.parameters.size(); ++i) {
@@ -169,7 +175,7 @@ TEST_F(Binding, DefaultsKnowTheParametersBeforeThemAndNothingOfTheDocument) {
     globals.names["size"] = number_value(999);
     const Result<BoundCall> call = bound(place, "10");
     ASSERT_TRUE(call);
-    const Result<Arguments> arguments = evaluate_arguments(*call, document, step, 1, Key{5}, {});
+    const Result<Arguments> arguments = evaluate_arguments(*call, document, step, with_seed(1), Key{5}, {});
     ASSERT_TRUE(arguments);
     EXPECT_DOUBLE_EQ(arguments->number("size"), 10 * 96 / 25.4);
     EXPECT_DOUBLE_EQ(arguments->number("spacing"), 15 * 96 / 25.4);
@@ -179,7 +185,7 @@ TEST_F(Binding, DefaultsKnowTheParametersBeforeThemAndNothingOfTheDocument) {
     EXPECT_FALSE(arguments->flag("centred"));
     const Result<BoundCall> cut = bound(split, "[1, 2]");
     ASSERT_TRUE(cut);
-    const Result<Arguments> values = evaluate_arguments(*cut, document, step, 1, Key{5}, {});
+    const Result<Arguments> values = evaluate_arguments(*cut, document, step, with_seed(1), Key{5}, {});
     EXPECT_EQ(values->lengths("offset").size(), 2U);
     EXPECT_EQ(std::get<Colour>(values->value("ink").data), (Colour{0, 0, 0, 255}));
 }
@@ -187,14 +193,14 @@ TEST_F(Binding, DefaultsKnowTheParametersBeforeThemAndNothingOfTheDocument) {
 TEST_F(Binding, ADefaultThatUsesWhatVariesVariesToo) {
     const Result<BoundCall> call = bound(place, "size: each(index * 10)");
     ASSERT_TRUE(call);
-    const Result<Arguments> arguments = evaluate_arguments(*call, document, step, 1, Key{5}, shapes);
+    const Result<Arguments> arguments = evaluate_arguments(*call, document, step, with_seed(1), Key{5}, shapes);
     ASSERT_TRUE(arguments);
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(arguments->number("size", i), 10.0 * static_cast<double>(i + 1));
         EXPECT_EQ(arguments->number("spacing", i), 15.0 * static_cast<double>(i + 1));
         EXPECT_EQ(arguments->number("sides", i), 5);
     }
-    const Result<Arguments> nothing = evaluate_arguments(*call, document, step, 1, Key{5}, {});
+    const Result<Arguments> nothing = evaluate_arguments(*call, document, step, with_seed(1), Key{5}, {});
     ASSERT_TRUE(nothing);
     EXPECT_GE(nothing->number("size"), 0.1);
 }
@@ -249,6 +255,76 @@ TEST_F(Binding, RulesConditionsAndWeightsAreCheckedBefore) {
     EXPECT_EQ(weight("width / gap / 1px"), "");
 }
 
+TEST_F(Binding, ValuesOfAnyKindAreTakenAsTheyAre) {
+    const OperatorDescription lace = {
+        .name = "lace",
+        .parameters = {{.name = "motif", .type = any},
+                       {.name = "size", .type = any, .default_text = "motif"},
+                       {.name = "note", .type = any, .default_text = "none"}},
+    };
+    const auto values = [&](const std::string& text) {
+        const Result<BoundCall> call = bound(lace, text);
+        if (!call) return problems(call.diagnostics(), "f(" + text + ")");
+        const Result<Arguments> arguments = evaluate_arguments(*call, document, step, with_seed(1), Key{5}, shapes);
+        if (!arguments) return problems(arguments.diagnostics(), "f(" + text + ")");
+        return to_text(arguments->value("motif")) + " " + to_text(arguments->value("size")) + " " +
+               to_text(arguments->value("note"));
+    };
+    EXPECT_EQ(values("3, 2deg"), "3 2deg none");
+    EXPECT_EQ(values("star"), "star star none") << "a word, and a default that is an earlier parameter";
+    EXPECT_EQ(values("gap, note: [1, \"x\", wave]"), "12 12 [1, \"x\", wave]");
+    EXPECT_EQ(values("kind, area"), "wave 6400 none") << "names go before words";
+    EXPECT_EQ(values("inks(1), count > 1 ? star : disc"), "#010203 star none");
+    EXPECT_EQ(values("star + 1"), "unknown-name@star");
+    EXPECT_EQ(values("star(1)"), "unknown-function@star");
+    EXPECT_EQ(values("1 / (count - 5)"), "-0.3333333333333333 -0.3333333333333333 none");
+    // Bare numbers keep their place, which says their unit.
+    const Result<BoundCall> call = bound(lace, "3");
+    ASSERT_TRUE(call && call->constants[0] && !call->constants[1] && call->constants[2]);
+    EXPECT_EQ(call->constants[0]->span, (SourceSpan{0, 2, 3}));
+    const Result<BoundCall> of_step = bound(lace, "area");
+    EXPECT_FALSE(of_step->constants[0]) << "what a step knows is no word";
+}
+
+TEST_F(Binding, NamesInBetweenVaryFromStepToStep) {
+    Scope macro{&globals};
+    macro.names["wish"] = number_value(30);
+    macro.names["gap"] = length_value(30);  // hides the global
+    macro.names["motif"] = Value{Symbol{"star"}, {}};
+    macro.names["colours"] = Value{ValueList{{Value{Colour{9, 9, 9, 255}, {}}}}, {}};
+    macro.names["red"] = Value{Colour{1, 2, 3, 255}, {}};
+    const auto bound_in = [&](const OperatorDescription& description, const std::string& text) {
+        const auto end = static_cast<std::uint32_t>(text.size() + 3);
+        return bind(description, arguments_of(text), {0, 0, end}, document, globals, &macro);
+    };
+    const Result<BoundCall> call = bound_in(place, "motif, wish, gap, sides: 7");
+    ASSERT_TRUE(call) << problems(call.diagnostics(), "f(motif, wish, gap, sides: 7)");
+    EXPECT_FALSE(call->constants[0] || call->constants[1] || call->constants[2]);
+    EXPECT_TRUE(call->constants[3]);
+    Scope around{&globals};
+    around.names["wish"] = number_value(40);
+    around.names["gap"] = number_value(50);
+    around.names["motif"] = Value{Symbol{"blob"}, {}};
+    step.outer = &around;
+    const Result<Arguments> arguments = evaluate_arguments(*call, document, step, with_seed(1), Key{5}, {});
+    ASSERT_TRUE(arguments);
+    EXPECT_EQ(arguments->word("shape"), "blob");
+    EXPECT_EQ(arguments->number("size"), 40);
+    EXPECT_EQ(arguments->number("spacing"), 50);
+    const Result<BoundCall> inked = bound_in(split, "9, ink: colours(1)");
+    ASSERT_TRUE(inked);
+    EXPECT_FALSE(inked->constants[7]);
+    EXPECT_FALSE(bound_in(split, "9, ink: red")->constants[7]) << "no colour word where it is a name";
+    EXPECT_TRUE(bound_in(split, "9, ink: blue")->constants[7]);
+    EXPECT_EQ(problems(bound_in(place, "wihs").diagnostics(), "f(wihs)"), "unknown-name@wihs");
+    EXPECT_EQ(problems(bound_in(place, "20, sides: gap").diagnostics(), "f(20, sides: gap)"), "wrong-kind@gap");
+    EXPECT_EQ(problems(bound_in(place, "wish - 30").diagnostics(), "f(wish - 30)"), "") << "that is for the step";
+    EXPECT_TRUE(check_condition(*expression_of("wish > 3"), document, globals, &macro).empty());
+    EXPECT_FALSE(check_condition(*expression_of("wish > 3"), document, globals).empty());
+    EXPECT_TRUE(check_weight(*expression_of("3 - wish"), document, globals, &macro).empty());
+    EXPECT_FALSE(check_weight(*expression_of("gap"), document, globals, &macro).empty()) << "a length";
+}
+
 TEST(Descriptions, AreFoundByNameAndAlias) {
     const std::vector<OperatorDescription> operators = {{.name = "regular_split", .aliases = {"regularSplit"}},
                                                         {.name = "outline"}};
@@ -256,6 +332,7 @@ TEST(Descriptions, AreFoundByNameAndAlias) {
     EXPECT_EQ(find_operator(operators, "regularSplit"), &operators[0]);
     EXPECT_EQ(find_operator(operators, "regularspilt"), nullptr);
     EXPECT_EQ(type_name(ParameterType::whole), "a whole number");
+    EXPECT_EQ(type_name(ParameterType::any), "a value");
 }
 
 }  // namespace

@@ -24,9 +24,21 @@ Scope example_scope(std::span<const std::string_view> names, const Scope* outer)
     return scope;
 }
 
-namespace {
+Scope scope_between(const Scope& globals, const Scope* varying) {
+    Scope between{&globals};
+    for (; varying != nullptr && varying != &globals; varying = varying->outer) {
+        between.names.insert(varying->names.begin(), varying->names.end());
+    }
+    return between;
+}
 
-Place top_place(const Evaluation& at) { return {true, false, at.whole, at.by_shape}; }
+std::vector<std::string_view> varying_names(const Scope& between) {
+    std::vector<std::string_view> names(step_names().begin(), step_names().end());
+    for (const auto& [name, value] : between.names) names.push_back(name);
+    return names;
+}
+
+namespace {
 
 std::optional<Diagnostic> wrong_node(const Expression& expression, Place place, const Evaluation& at) {
     if (const auto* name = std::get_if<NameReference>(&expression.node)) {
@@ -111,13 +123,17 @@ Diagnostics check_expression(const Expression& expression, const Evaluation& at)
 bool uses_only(const Expression& expression, const Evaluation& at, const Scope* fixed,
                std::span<const std::string_view> varying) {
     bool only = true;
+    const auto varies = [&](std::string_view name) {
+        return std::find(varying.begin(), varying.end(), name) != varying.end();
+    };
     const auto is_fixed = [&](std::string_view name) {
-        return std::find(varying.begin(), varying.end(), name) == varying.end() && fixed != nullptr &&
-               fixed->find(name) != nullptr;
+        return !varies(name) && fixed != nullptr && fixed->find(name) != nullptr;
     };
     visit_nodes(expression, at, [&](const Expression& node, Place place) {
         if (const auto* name = std::get_if<NameReference>(&node.node)) {
-            only = is_word(at, name->name, place) || is_fixed(name->name) || place.symbols;
+            const bool is_symbol =
+                place.symbols && !varies(name->name) && find_value(at, name->name, place.by_shape) == nullptr;
+            only = is_word(at, name->name, place) || is_fixed(name->name) || is_symbol;
         } else if (std::holds_alternative<MemberExpression>(node.node)) {
             only = is_fixed(dotted_name(node));
         } else if (const auto* call = std::get_if<CallExpression>(&node.node)) {
@@ -136,15 +152,11 @@ bool is_constant(const Expression& expression, const Evaluation& at, const Scope
 namespace {
 
 template <class Convert>
-Diagnostics check_in_rule(const Expression& expression, const Document& document, const Scope& globals,
-                          Convert convert) {
-    const Scope example = example_scope(step_names(), &globals);
-    Evaluation at;
-    at.document = &document;
-    at.scope = &example;
+Diagnostics check_converted(const Expression& expression, Evaluation at, const Scope& globals,
+                            std::span<const std::string_view> varying, Convert convert) {
     Diagnostics out = check_expression(expression, at);
     if (!out.empty()) return out;
-    const bool constant = is_constant(expression, at, &globals, step_names());
+    const bool constant = is_constant(expression, at, &globals, varying);
     if (constant) at.scope = &globals;
     Result<Value> value = evaluate(expression, at);
     if (value) {
@@ -157,15 +169,34 @@ Diagnostics check_in_rule(const Expression& expression, const Document& document
     return out;
 }
 
-}  // namespace
-
-Diagnostics check_condition(const Expression& expression, const Document& document, const Scope& globals) {
-    return check_in_rule(expression, document, globals,
-                         [](const Value& value) { return Diagnostics(as_flag(value).diagnostics()); });
+template <class Convert>
+Diagnostics check_in_rule(const Expression& expression, const Document& document, const Scope& globals,
+                          const Scope* varying, Convert convert) {
+    const Scope between = scope_between(globals, varying);
+    const Scope example = example_scope(step_names(), &between);
+    Evaluation at;
+    at.document = &document;
+    at.scope = &example;
+    return check_converted(expression, at, globals, varying_names(between), convert);
 }
 
-Diagnostics check_weight(const Expression& expression, const Document& document, const Scope& globals) {
-    return check_in_rule(expression, document, globals, [](const Value& value) {
+Diagnostics problems_of_flag(const Value& value) { return as_flag(value).diagnostics(); }
+
+}  // namespace
+
+Diagnostics check_condition(const Expression& expression, const Document& document, const Scope& globals,
+                            const Scope* varying) {
+    return check_in_rule(expression, document, globals, varying, problems_of_flag);
+}
+
+Diagnostics check_condition(const Expression& expression, const Evaluation& at, const Scope& globals,
+                            std::span<const std::string_view> varying) {
+    return check_converted(expression, at, globals, varying, problems_of_flag);
+}
+
+Diagnostics check_weight(const Expression& expression, const Document& document, const Scope& globals,
+                         const Scope* varying) {
+    return check_in_rule(expression, document, globals, varying, [](const Value& value) {
         const Result<double> weight = as_number(value);
         if (!weight) return weight.diagnostics();
         if (*weight >= 0) return Diagnostics{};

@@ -15,6 +15,11 @@ namespace filigree {
 
 // A scope in which the names of names.h have example values.
 Scope example_scope(std::span<const std::string_view> names, const Scope* outer);
+// The names of `varying`, up to the globals, as a scope of their own: they stand between the globals and what a step
+// knows. Empty where `varying` is null.
+Scope scope_between(const Scope& globals, const Scope* varying);
+// The names that differ from step to step: what a step knows, and those in between. Points into the scope.
+std::vector<std::string_view> varying_names(const Scope& between);
 
 // What is wrong with the expression whatever the values: `at` gives its words, calls and (example) scopes.
 Diagnostics check_expression(const Expression& expression, const Evaluation& at);
@@ -30,9 +35,15 @@ bool is_constant(const Expression& expression, const Evaluation& at, const Scope
                  std::span<const std::string_view> varying);
 
 // A rule's `when` or `weight`: everything that can be known before it is evaluated for a step. Constant ones
-// are evaluated; a weight below zero is an error.
-Diagnostics check_condition(const Expression& expression, const Document& document, const Scope& globals);
-Diagnostics check_weight(const Expression& expression, const Document& document, const Scope& globals);
+// are evaluated; a weight below zero is an error. `varying`: example values of names that differ from step to step
+// besides what a step knows (the parameters of a macro), if there are any.
+Diagnostics check_condition(const Expression& expression, const Document& document, const Scope& globals,
+                            const Scope* varying = nullptr);
+Diagnostics check_weight(const Expression& expression, const Document& document, const Scope& globals,
+                         const Scope* varying = nullptr);
+// A condition that is evaluated otherwise: `at` has example scopes; `globals` are fixed but for the names in `varying`.
+Diagnostics check_condition(const Expression& expression, const Evaluation& at, const Scope& globals,
+                            std::span<const std::string_view> varying);
 
 // The expressions that may give the value: branches of conditions, candidates of one_of, the inside of
 // each(...), and the ends of ranges.

@@ -6,6 +6,7 @@
 
 #include "base/elementary.h"
 #include "base/number_text.h"
+#include "language/quantity.h"
 
 namespace filigree {
 
@@ -103,6 +104,80 @@ std::vector<Key> candidate_keys(std::span<const Value> candidates) {
         keys.push_back(name.empty() ? child(Key{unnamed}, nameless++) : child(child(Key{}, name), named[name]++));
     }
     return keys;
+}
+
+namespace {
+
+// Rounded, but within the ends.
+double to_whole_within(double value, double low, double high) {
+    return std::min(std::max(std::round(value), std::ceil(low)), std::floor(high));
+}
+
+double draw_normal(const ChoiceDomain& domain, std::uint64_t bits) {
+    const bool has_range = std::isfinite(domain.low);
+    const double value = has_range ? draw_normal_between(domain.mean, domain.deviation, domain.low, domain.high, bits)
+                                   : domain.mean + domain.deviation * to_normal(bits);
+    return domain.whole ? to_whole_within(value, domain.low, domain.high) : value;
+}
+
+}  // namespace
+
+double draw_from(const ChoiceDomain& domain, std::uint64_t seed, Key key, std::string_view name) {
+    switch (domain.kind) {
+        case ChoiceDomain::Kind::range: {
+            const std::uint64_t bits = random_bits(seed, key, name);
+            return domain.whole ? draw_whole(domain.low, domain.high, bits)
+                                : draw_between(domain.low, domain.high, bits);
+        }
+        case ChoiceDomain::Kind::normal:
+            return draw_normal(domain, random_bits(seed, key, name));
+        case ChoiceDomain::Kind::alternatives:
+            return static_cast<double>(race(seed, key, name, candidate_keys(domain.alternatives), domain.weights));
+        case ChoiceDomain::Kind::fixed:
+            break;
+    }
+    return 0;
+}
+
+double middle_of(const ChoiceDomain& domain) {
+    switch (domain.kind) {
+        case ChoiceDomain::Kind::range: {
+            const double half = (domain.high - domain.low) / 2;
+            return domain.low + (domain.whole ? std::floor(half) : half);
+        }
+        case ChoiceDomain::Kind::normal: {
+            const double mean = std::clamp(domain.mean, domain.low, domain.high);
+            return domain.whole ? to_whole_within(mean, domain.low, domain.high) : mean;
+        }
+        case ChoiceDomain::Kind::alternatives: {
+            const auto heaviest = std::max_element(domain.weights.begin(), domain.weights.end());
+            return static_cast<double>(heaviest - domain.weights.begin());
+        }
+        case ChoiceDomain::Kind::fixed:
+            break;
+    }
+    return 0;
+}
+
+std::optional<double> place_in(const ChoiceDomain& domain, const Value& value) {
+    if (domain.kind == ChoiceDomain::Kind::range || domain.kind == ChoiceDomain::Kind::normal) {
+        const Quantity* quantity = std::get_if<Quantity>(&value.data);
+        if (quantity == nullptr || !(is_bare(*quantity) || same_dimension(*quantity, domain.dimension))) {
+            return std::nullopt;
+        }
+        const double number = quantity->value;
+        const bool fits = std::isfinite(number) && number >= domain.low && number <= domain.high &&
+                          (!domain.whole || number == std::round(number));
+        return fits ? std::optional(number) : std::nullopt;
+    }
+    const auto index_of = [&](auto is_it) -> std::optional<double> {
+        const auto found = std::find_if(domain.alternatives.begin(), domain.alternatives.end(), is_it);
+        if (found == domain.alternatives.end()) return std::nullopt;
+        return static_cast<double>(found - domain.alternatives.begin());
+    };
+    if (const auto equal = index_of([&](const Value& one) { return one == value; })) return equal;
+    const std::string text = to_text(value);
+    return index_of([&](const Value& one) { return to_text(one) == text; });
 }
 
 }  // namespace filigree

@@ -5,12 +5,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/random.h"
+#include "language/choices.h"
 #include "language/value.h"
 
 namespace filigree {
@@ -32,5 +34,15 @@ double normal_share_below(double z);
 // The keys that candidates race under. Words and texts run under their own name, so they can be reordered;
 // all else under its place among what has no name. Repeats of a name are numbered.
 std::vector<Key> candidate_keys(std::span<const Value> candidates);
+
+// Of a whole domain, as a row holds it: a number, or the index of an alternative. One alternative must have a weight
+// above zero.
+double draw_from(const ChoiceDomain& domain, std::uint64_t seed, Key key, std::string_view name);
+// Where nothing is random: the middle of a range (below it, where that is not whole), the mean, the first of the
+// heaviest alternatives.
+double middle_of(const ChoiceDomain& domain);
+// The value as a row holds it, where it lies in the domain; none where it does not. A bare number counts in the
+// domain's dimension. Among alternatives it is the one that is equal, else the first that is written alike.
+std::optional<double> place_in(const ChoiceDomain& domain, const Value& value);
 
 }  // namespace filigree

@@ -21,6 +21,7 @@ enum class ParameterType {
     text,
     point,  // (x, y) in lengths
     colour,
+    any,  // what it is, unconverted; a bare word that names nothing stands for itself
 };
 
 struct ParameterDescription {

@@ -100,11 +100,74 @@ struct GroupRule {
     std::vector<OutputTag> outputs;
 };
 
+// A place in a derivation, or several: big_poly/outline/in/regular_split/quads[3]/outline.distance~2. Tags and rules
+// take turns from the start downwards; `*` stands for one segment, `**` for any number of them.
+struct PathSegment {
+    enum class Kind : std::uint8_t { name, shapes, any, any_depth };
+    Kind kind = Kind::name;
+    std::string name;  // a tag, or a rule's segment with its #n, in normal form C
+    std::vector<std::uint32_t>
+        ordinals;  // of groups (quads[3]) or shapes (the segment 2,5), from 1, ascending, each once
+
+    bool operator==(const PathSegment&) const = default;
+};
+struct ChoicePath {
+    std::vector<PathSegment> segments;  // never empty; without two `**` in a row
+    std::string parameter;              // behind the dot; empty where there is none
+    std::uint32_t draw = 0;             // the k of `~k`, from 1; 0 where none is given
+    SourceSpan span;
+};
+
+// set PATH = VALUE [when CONDITION]; `default` counts only where is_random is false
+struct PresetStatement {
+    bool is_default = false;
+    ChoicePath path;
+    ExpressionPtr value;
+    ExpressionPtr condition;  // null if absent
+};
+struct KeepStatement {
+    ChoicePath path;
+};
+struct RerollStatement {
+    ChoicePath path;
+    std::uint32_t times = 1;  // 1..1,000,000,000
+    SourceSpan times_span;    // of the number; no_file where `x N` is absent
+};
+// apply [NAME =] operator(arguments) to PATH, PATH [-> tags]
+struct ApplyStatement {
+    std::optional<Name> name;
+    Name operator_name;
+    std::vector<CallArgument> arguments;
+    std::vector<ChoicePath> targets;  // without parameters
+    std::vector<OutputTag> outputs;
+};
+
+struct Statement;
+struct DefinitionParameter {
+    Name name;
+    ExpressionPtr value;  // its default; null where it must be given
+};
+// system NAME (parameters) { statements }: a document inside this one, for `embed` and for subsystems
+struct SystemStatement {
+    Name name;
+    std::vector<DefinitionParameter> parameters;
+    std::vector<Statement> statements;
+    std::optional<Unit> unit;  // of its own; else that of the file it stands in
+};
+// operator NAME (parameters) -> ports { rules }: a rule sequence with a name. It begins with its first rule's tag.
+struct OperatorStatement {
+    Name name;
+    std::vector<DefinitionParameter> parameters;
+    std::vector<Name> ports;
+    std::vector<Statement> statements;  // rules alone
+};
+
 struct Statement {
     SourceSpan span;  // without the comment behind it
     std::variant<VersionStatement, GrammarStatement, SeedStatement, UnitStatement, ResolutionStatement,
                  IncludeStatement, ParamStatement, LetStatement, PageStatement, LimitStatement, SymmetryStatement,
-                 PaletteStatement, StartStatement, StyleStatement, GroupRule>
+                 PaletteStatement, StartStatement, StyleStatement, GroupRule, PresetStatement, KeepStatement,
+                 RerollStatement, ApplyStatement, SystemStatement, OperatorStatement>
         node;
 };
 

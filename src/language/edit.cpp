@@ -6,6 +6,7 @@
 
 #include "base/number_text.h"
 #include "base/unicode.h"
+#include "language/edit_text.h"
 #include "language/evaluate.h"
 #include "language/lexer.h"
 #include "language/param_domain.h"
@@ -15,15 +16,6 @@
 namespace filigree {
 
 namespace {
-
-std::string spliced(std::string_view text, std::size_t begin, std::size_t end, std::string_view with) {
-    std::string result;
-    result.reserve(text.size() - (end - begin) + with.size());
-    result += text.substr(0, begin);
-    result += with;
-    result += text.substr(end);
-    return result;
-}
 
 // --- the seed --------------------------------------------------------------------------------------------------
 
@@ -134,10 +126,6 @@ bool meets_statement(const Expression& value) {
     }
     const WithinExpression* within = std::get_if<WithinExpression>(&value.node);
     return within != nullptr && within->value->span.begin == value.span.begin;
-}
-
-std::string_view text_of(const Expression& expression, std::string_view text) {
-    return text.substr(expression.span.begin, expression.span.end - expression.span.begin);
 }
 
 }  // namespace

@@ -236,7 +236,7 @@ Maybe Evaluator::symbolic(const Expression& expression, const CallExpression& ca
 
 Result<Value> evaluate(const Expression& expression, const Evaluation& at) {
     Evaluator evaluator(at);
-    std::optional<Value> result = evaluator.value(expression, Place{true, false, at.whole, at.by_shape});
+    std::optional<Value> result = evaluator.value(expression, top_place(at));
     if (!result) return std::move(evaluator.diagnostics);
     return std::move(*result);
 }

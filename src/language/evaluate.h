@@ -3,7 +3,8 @@
 // A choice (a range, one_of, normal) draws from addressed randomness: its site is the key of the step or
 // shape and the name of the argument; the k-th choice of one expression is drawn under `name~k` (k from 1,
 // the first under the bare name). k counts the places in the text, so it does not depend on which branch of a
-// condition is taken. Evaluating the same expression at the same site gives the same value.
+// condition is taken. Evaluating the same expression at the same site gives the same value. With a ChoiceMaking
+// (choices.h) choices are also recorded, replayed, preset or put in the middle of their domains.
 //
 // Guarantee: every value is finite; every error has the span of what is wrong; nothing throws, whatever the
 // tree (nesting deeper than max_evaluation_depth is an error).
@@ -33,11 +34,18 @@ struct Scope {
     const Value* find(std::string_view name) const;
 };
 
+struct ChoiceMaking;
+
+struct ChoiceAddress {
+    Key key = {};
+    std::string name = {};
+};
 // Where choices are drawn.
 struct ChoiceSite {
     std::uint64_t seed = 0;
     Key key = {};
     std::string name = {};
+    const ChoiceAddress* recorded_at = nullptr;  // where they are recorded and looked up, if that is elsewhere
 };
 
 struct Evaluation {
@@ -50,11 +58,12 @@ struct Evaluation {
     std::optional<Key> shape_key = {};
     bool by_shape = false;  // the whole expression stands inside each(...), as in styles
     // Words that mean themselves here, before any parameter of that name (enumerations). They stand where the
-    // result may come from, not inside arithmetic and conditions; likewise the calls.
+    // result may come from, not inside arithmetic and conditions; likewise the calls. "*": any that names nothing.
     std::vector<std::string_view> words = {};
     // Names of calls that are no functions and are kept as SymbolicCall; "*": any, with bare words as arguments.
     std::vector<std::string_view> calls = {};
-    bool whole = false;  // ranges are drawn as whole numbers, both ends included
+    bool whole = false;                     // ranges are drawn as whole numbers, both ends included
+    const ChoiceMaking* choices = nullptr;  // null: drawn at random and not recorded
 };
 
 constexpr int max_evaluation_depth = 500;

@@ -334,7 +334,9 @@ TEST(RandomTrees, NeverCrashAndErrorsHaveAPlace) {
                 continue;
             }
             const Scope step = example_scope(step_names(), &globals);
-            const Result<Arguments> arguments = evaluate_arguments(*call, document, step, seed, Key{1}, shapes);
+            StepChoices choices;
+            choices.seed = seed;
+            const Result<Arguments> arguments = evaluate_arguments(*call, document, step, choices, Key{1}, shapes);
             if (!arguments) {
                 ASSERT_TRUE(all_placed(arguments.diagnostics())) << seed;
                 continue;

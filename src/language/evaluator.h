@@ -6,12 +6,12 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "language/choices.h"
 #include "language/evaluate.h"
 #include "language/walk.h"
 
@@ -103,12 +103,17 @@ private:
     };
     std::optional<Ends> ends(const Expression& expression, const RangeExpression& range, Place end_place,
                              std::optional<Number> beside = {});
-    std::uint64_t bits(std::uint32_t k, Place place) const;
+    // The k-th choice, as a ChoiceBuffer's row holds it.
+    std::optional<double> choose(const Expression& expression, std::uint32_t k, Place place,
+                                 const ChoiceDomain& domain);
+    struct ChoiceNames {
+        std::string drawn, recorded;
+    };
+    std::optional<double> preset_draw(const Expression& expression, const DrawPreset& preset, const ChoiceNames& names,
+                                      Place place, const ChoiceDomain& domain);
     Maybe normal(const Expression& expression, const CallExpression& call, const RangeExpression* range,
                  const Expression* range_expression, Place place);
     Maybe one_of(const Expression& expression, const CallExpression& call, Place place);
-    std::optional<std::size_t> run_race(const Expression& expression, std::span<const Value> candidates,
-                                        std::span<const double> weights, std::uint32_t k, Place place);
     Maybe each(const Expression& expression, const CallExpression& call, Place place);
     Maybe function(const Expression& expression, const CallExpression& call, Place place);
     Maybe list_item(const Expression& expression, const CallExpression& call, Place place);

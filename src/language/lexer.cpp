@@ -27,7 +27,9 @@ public:
         const char c = text_[at_];
         if (c == '\n') return take(1, TokenKind::end_of_line);
         if (c == '"') return quoted();
-        if (mode == LexMode::tag) {
+        if (mode == LexMode::path) {
+            if (starts_path()) return path();
+        } else if (mode == LexMode::tag) {
             if (skip_word()) return token(TokenKind::name);
         } else {
             if (is_ascii_digit(c) || (c == '.' && is_ascii_digit(next(1)))) return number();
@@ -107,6 +109,22 @@ private:
     }
     void skip_digits() {
         while (at_ < size() && is_ascii_digit(text_[at_])) ++at_;
+    }
+
+    // What is no part of any path: '=', ';', braces, arrows, blanks, and a comma before these.
+    bool ends_path(std::uint32_t at) const {
+        if (at < size() && text_[at] == ',') ++at;
+        if (at == size() || std::string_view("=;{} \t\r\n").find(text_[at]) != std::string_view::npos) return true;
+        const std::string_view rest = text_.substr(at);
+        return rest.starts_with("->") || rest.starts_with(arrow_sign);
+    }
+    // Neither a bracket, a colour or a comma, which messages name as such.
+    bool starts_path() const {
+        return !ends_path(at_) && std::string_view("#,()[]").find(text_[at_]) == std::string_view::npos;
+    }
+    Token path() {
+        while (!ends_path(at_)) ++at_;
+        return token(TokenKind::path);
     }
 
     Token number() {

@@ -20,6 +20,7 @@ enum class LexMode : std::uint8_t {
     value,     // numbers, names, colours and texts
     tag,       // a run of letters, digits and '_' is one token, whatever it starts with
     property,  // a name may go on behind a '-': stroke-width
+    path,      // what stands together without blanks is one token, up to what ends a path: quads[1,3]/outline.distance
 };
 
 enum class TokenKind : std::uint8_t {
@@ -27,6 +28,7 @@ enum class TokenKind : std::uint8_t {
     end_of_line,
     number,
     name,
+    path,
     text,
     colour,
     arrow,

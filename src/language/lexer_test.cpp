@@ -95,6 +95,18 @@ TEST(Lexer, TagsAreRunsOfLettersDigitsAndUnderscores) {
               (Words{"stroke-width", ":", "stroke", "-", "2", "a", "-", "-", "b"}));
 }
 
+TEST(Lexer, PathsAreWhatStandsTogether) {
+    EXPECT_EQ(words("big/outline#2/quads[1,3].x~2=5..9", LexMode::path),
+              (Words{"big/outline#2/quads[1,3].x~2", "=", "5..9"}));
+    EXPECT_EQ(words("a/2,5, b,\tc,\n**;d{e}f ,g", LexMode::path),
+              (Words{"a/2,5", ",", "b", ",", "c", ",", "\n", "**", ";", "d", "{", "e", "}", "f", ",", "g"}));
+    EXPECT_EQ(words("a->b\xE2\x86\x92_ a-b\r\n# note\n/x # note", LexMode::path),
+              (Words{"a", "->", "b", "\xE2\x86\x92", "_", "a-b", "\n", "\n", "/x"}));
+    EXPECT_EQ(words("\"a b\" [1] a\"b,,", LexMode::path), (Words{"\"a b\"", "[", "1]", "a\"b,", ","}));
+    EXPECT_EQ(tokens("#2 a", LexMode::path).at(0).trouble, Trouble::hash);
+    EXPECT_EQ(tokens("a", LexMode::path).at(0).kind, Kind::path);
+}
+
 TEST(Lexer, SignsAreTakenAsLongAsTheyGo) {
     EXPECT_EQ(words("a->b-->c>=d<=e==f!=g&&h||i&j!k<-l"),
               (Words{"a", "->", "b", "-",  "->", "c", ">=", "d", "<=", "e", "==", "f", "!=",
@@ -144,7 +156,7 @@ TEST(Lexer, AlwaysGoesForwards) {
     for (std::uint64_t seed = 0; seed < cases; ++seed) {
         RandomText random(seed);
         const std::string text = damaged(random.document().text, random);
-        for (const LexMode mode : {LexMode::value, LexMode::tag, LexMode::property}) {
+        for (const LexMode mode : {LexMode::value, LexMode::tag, LexMode::property, LexMode::path}) {
             std::uint32_t last = 0;
             for (const Token& token : tokens(text, mode, random.chance(2))) {
                 ASSERT_GE(token.begin, last) << "seed " << seed;

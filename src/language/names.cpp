@@ -73,6 +73,8 @@ bool is_word(const Evaluation& at, std::string_view name, Place place) {
 
 bool any_call_allowed(const Evaluation& at) { return contains(at.calls, "*"); }
 
+Place top_place(const Evaluation& at) { return {true, contains(at.words, "*"), at.whole, at.by_shape}; }
+
 CallMeaning meaning_of(const CallExpression& call, const Evaluation& at, Place place) {
     if (is_special_form(call.name)) return CallMeaning::special;
     if (find_function(call.name) != nullptr) return CallMeaning::function;

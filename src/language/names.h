@@ -35,6 +35,9 @@ Diagnostic each_outside(SourceSpan span);
 
 bool any_call_allowed(const Evaluation& at);
 
+// Where the whole expression stands.
+Place top_place(const Evaluation& at);
+
 // A few words quoted for a message: 'line', 'wave' or 'zigzag'.
 std::string quoted_alternatives(std::span<const std::string_view> words);
 

@@ -137,6 +137,9 @@ Evaluation expected_by(const ParameterDescription& parameter, const Document& do
         case ParameterType::colour:
             at.words = colour_words_beside(scope);
             break;
+        case ParameterType::any:
+            at.words = {"*"};
+            break;
         default:
             break;
     }
@@ -190,8 +193,38 @@ Result<Value> converted(const ParameterDescription& parameter, const Value& valu
             if (!colour) return retold(parameter, value, colour, span);
             return Value{*colour, {}};
         }
+        case ParameterType::any:
+            return value;
     }
     return wrong_kind(parameter, value, span);
+}
+
+Value example_of(const ParameterDescription& parameter) {
+    const double number = std::min(std::max(1.0, parameter.low), parameter.high);
+    switch (parameter.type) {
+        case ParameterType::whole:
+        case ParameterType::real:
+        case ParameterType::any:
+            return bare(number);
+        case ParameterType::length:
+            return length(number);
+        case ParameterType::angle:
+        case ParameterType::direction:
+            return angle(number);
+        case ParameterType::flag:
+            return {false, {}};
+        case ParameterType::word:
+            return {Symbol{std::string(parameter.words.empty() ? "" : parameter.words.front())}, {}};
+        case ParameterType::lengths:
+            return {ValueList{{length(number)}}, {}};
+        case ParameterType::text:
+            return {std::string(), {}};
+        case ParameterType::point:
+            return {Vec{}, {}};
+        case ParameterType::colour:
+            return {Colour{}, {}};
+    }
+    return {};
 }
 
 std::string allowed_range(const ParameterDescription& parameter) {

@@ -78,19 +78,38 @@ Parsed parse_document(std::string_view name, std::string_view text, const Includ
     return parsed;
 }
 
-Result<ExpressionPtr> parse_expression(std::string_view text, std::uint32_t file) {
+namespace {
+
+template <class Part>
+Result<Part> parse_part(std::string_view text, std::uint32_t file, std::optional<Part> (Parser::*read)()) {
     if (std::optional<Diagnostic> problem = unreadable(text, 0, file)) return std::move(*problem);
     ParseSession session;
-    ExpressionPtr expression = Parser(session, text, file).parse_lone_expression();
-    if (!expression) return std::move(session.diagnostics);
-    return expression;
+    Parser parser(session, text, file);
+    std::optional<Part> part = (parser.*read)();
+    if (!part) return std::move(session.diagnostics);
+    return std::move(*part);
+}
+
+}  // namespace
+
+Result<ExpressionPtr> parse_expression(std::string_view text, std::uint32_t file) {
+    return parse_part(text, file, &Parser::parse_lone_expression);
+}
+Result<ChoicePath> parse_path(std::string_view text, std::uint32_t file) {
+    return parse_part(text, file, &Parser::parse_lone_path);
+}
+Result<OperatorCall> parse_call(std::string_view text, std::uint32_t file) {
+    return parse_part(text, file, &Parser::parse_lone_call);
+}
+Result<std::vector<OutputTag>> parse_outputs(std::string_view text, std::uint32_t file) {
+    return parse_part(text, file, &Parser::parse_lone_outputs);
 }
 
 // --- the loop over statements ----------------------------------------------------------------------------------
 
 void Parser::parse_statements() {
     while (!session_.is_full) {
-        while (accept(TokenKind::end_of_line) || accept(TokenKind::semicolon)) {}
+        skip_statement_ends();
         const Token first = peek();
         if (first.kind == TokenKind::end_of_text) return;
         std::optional<Statement> statement = read_statement();
@@ -108,16 +127,37 @@ void Parser::parse_statements() {
     }
 }
 
-ExpressionPtr Parser::parse_lone_expression() {
-    while (accept(TokenKind::end_of_line)) {}
+std::optional<ExpressionPtr> Parser::parse_lone_expression() {
+    skip_line_ends();
     ExpressionPtr expression = read_expression();
-    if (!expression) return nullptr;
-    while (accept(TokenKind::end_of_line)) {}
-    if (!at(TokenKind::end_of_text)) {
-        fail_behind_value("language.unexpected-token", "the end of the expression");
-        return nullptr;
-    }
+    if (!expression || !expect_text_end("the end of the expression")) return std::nullopt;
     return expression;
+}
+
+std::optional<ChoicePath> Parser::parse_lone_path() {
+    skip_line_ends();
+    std::optional<ChoicePath> path = read_path("a path is written as in 'leaf/outline.distance'");
+    if (!path) return std::nullopt;
+    skip_line_ends();
+    if (!at(TokenKind::end_of_text)) {
+        fail_behind_path("language.unexpected-token", "the end of the path");
+        return std::nullopt;
+    }
+    return path;
+}
+
+std::optional<OperatorCall> Parser::parse_lone_call() {
+    skip_line_ends();
+    std::optional<OperatorCall> call = read_call("a step by hand is written as in 'outline(5)' or 'ring = outline(5)'");
+    if (!call || !expect_text_end("the end of the call")) return std::nullopt;
+    return call;
+}
+
+std::optional<std::vector<OutputTag>> Parser::parse_lone_outputs() {
+    skip_line_ends();
+    std::vector<OutputTag> outputs;
+    if (!read_outputs(outputs, false) || !expect_text_end("the end of the tags")) return std::nullopt;
+    return outputs;
 }
 
 void Parser::report(Diagnostic diagnostic) {
@@ -205,7 +245,22 @@ bool Parser::accept_word(std::string_view word) {
 }
 
 bool Parser::at_statement_end() {
-    return at(TokenKind::end_of_line) || at(TokenKind::semicolon) || at(TokenKind::end_of_text);
+    return at(TokenKind::end_of_line) || at(TokenKind::semicolon) || at(TokenKind::end_of_text) ||
+           (at(TokenKind::close_curly) && !blocks_.empty());
+}
+
+void Parser::skip_line_ends() {
+    while (accept(TokenKind::end_of_line)) {}
+}
+
+void Parser::skip_statement_ends() {
+    while (accept(TokenKind::end_of_line) || accept(TokenKind::semicolon)) {}
+}
+
+bool Parser::expect_text_end(std::string_view wanted) {
+    skip_line_ends();
+    if (!at(TokenKind::end_of_text)) fail_behind_value("language.unexpected-token", wanted);
+    return !has_failed_;
 }
 
 bool Parser::open_bracket() {

@@ -31,14 +31,34 @@ struct Parsed {
 // its own unit. Without a loader an `include` is an error.
 Parsed parse_document(std::string_view name, std::string_view text, const IncludeLoader& include);
 
-// One expression and nothing else: what `--set NAME=VALUE` gives. Spans point into source `file`.
+// One part of a statement and nothing else. Spans point into source `file`, whose text is `text`.
 Result<ExpressionPtr> parse_expression(std::string_view text, std::uint32_t file = SourceSpan::no_file);
+Result<ChoicePath> parse_path(std::string_view text, std::uint32_t file = SourceSpan::no_file);
+
+// What `apply` and rules have in common: [NAME =] operator(arguments), and tags with or without brackets.
+struct OperatorCall {
+    std::optional<Name> name;
+    Name operator_name;
+    std::vector<CallArgument> arguments;
+    SourceSpan span;
+};
+Result<OperatorCall> parse_call(std::string_view text, std::uint32_t file = SourceSpan::no_file);
+Result<std::vector<OutputTag>> parse_outputs(std::string_view text, std::uint32_t file = SourceSpan::no_file);
+
+// PATH=VALUE as a command line gives it, both without blanks around and neither read: split at the first '=' outside
+// brackets and quotes that is no part of '==', '<=', '>=' or '!='. Errors are of the kind Fault::usage.
+struct Assignment {
+    std::string path, value;
+};
+Result<Assignment> split_assignment(std::string_view text);
 
 constexpr std::size_t max_document_bytes = 64U << 20;  // of a document and what it includes, together
 constexpr int max_nesting = 200;                       // brackets, and `?` inside `?`, within each other
 constexpr int max_expression_height = 500;             // of an expression's tree, as in a chain of so many signs
 constexpr std::size_t max_name_bytes = 1000;           // of one name or tag
 constexpr std::size_t max_include_depth = 32;          // files that include each other
+constexpr std::size_t max_system_depth = 32;           // systems inside each other
+constexpr std::uint32_t max_rerolls = 1'000'000'000;   // the N of `reroll PATH x N`
 constexpr std::size_t max_diagnostics = 1000;          // after so many, one last error says so
 
 }  // namespace filigree

@@ -1,4 +1,5 @@
 // Failures of a statement, and where to go on behind one.
+#include <algorithm>
 #include <utility>
 
 #include "language/parser.h"
@@ -32,8 +33,9 @@ void Parser::fail(const Token& at, Diagnostic diagnostic) {
 void Parser::fail_expected(std::string_view code, std::string_view wanted, std::vector<std::string> hints) {
     const Token found = ahead_;
     if (found.kind == TokenKind::invalid) return fail(found, explain(found, text_, file_));
-    const bool is_unmatched = (closes(found.kind) && open_.empty()) ||
-                              (found.kind == TokenKind::close_curly && open_.empty() && !open_block_);
+    const bool is_in_block = open_block_ || !blocks_.empty();
+    const bool is_unmatched =
+        open_.empty() && (closes(found.kind) || (found.kind == TokenKind::close_curly && !is_in_block));
     if (is_unmatched) {
         return fail(found, error("language.unmatched-bracket", "this " + describe(found, text_) + " closes nothing",
                                  span_of(found)));
@@ -122,15 +124,36 @@ std::optional<std::uint32_t> Parser::behind_brackets(std::uint32_t from, std::si
     }
 }
 
-std::optional<std::uint32_t> Parser::behind_block(std::uint32_t open) {
-    std::size_t depth = 0;
-    for (std::uint32_t from = open;;) {
-        const Token token = read_token(text_, from, LexMode::value, true);
-        if (token.kind == TokenKind::end_of_text || !spend(token, from)) return std::nullopt;
-        if (token.kind == TokenKind::open_curly) ++depth;
-        if (token.kind == TokenKind::close_curly && --depth == 0) return token.end;
-        from = token.end;
+// Where every '{' of the text ends: found by one scan, when it is asked for first.
+std::optional<std::uint32_t> Parser::end_of_block(std::uint32_t open) {
+    if (!has_block_ends_) {
+        has_block_ends_ = true;
+        std::vector<std::size_t> around;
+        for (std::uint32_t from = text_start(text_);;) {
+            const Token token = read_token(text_, from, LexMode::value, true);
+            if (token.kind == TokenKind::end_of_text) break;
+            if (token.kind == TokenKind::open_curly) {
+                around.push_back(block_ends_.size());
+                block_ends_.push_back({token.begin, 0});
+            } else if (token.kind == TokenKind::close_curly && !around.empty()) {
+                block_ends_[around.back()].end = token.end;
+                around.pop_back();
+            }
+            from = token.end;
+        }
     }
+    const auto found = std::lower_bound(block_ends_.begin(), block_ends_.end(), open,
+                                        [](const BlockEnd& block, std::uint32_t at) { return block.begin < at; });
+    if (found == block_ends_.end() || found->begin != open || found->end == 0) return std::nullopt;
+    return found->end;
+}
+
+// Inside a block that nothing closes, one over several lines may have taken the outer one's '}'.
+std::optional<std::uint32_t> Parser::behind_block(std::uint32_t open) {
+    const std::optional<std::uint32_t> end = end_of_block(open);
+    if (!end || blocks_.empty() || end_of_block(blocks_.front().open.begin)) return end;
+    const bool has_lines = text_.substr(open, *end - open).find('\n') != std::string_view::npos;
+    return has_lines ? std::nullopt : end;
 }
 
 void Parser::skip_failed_statement(const Token& first) {
@@ -168,6 +191,9 @@ std::uint32_t Parser::behind_line(std::uint32_t at, bool is_lost) {
             case TokenKind::semicolon:
                 if (!is_lost) return token.begin;
                 break;
+            case TokenKind::close_curly:
+                if (!blocks_.empty()) return token.begin;
+                break;
             case TokenKind::open_round:
             case TokenKind::open_square:
                 if (is_lost) break;
@@ -191,13 +217,16 @@ void Parser::skip_continuation() {
     const Token line_end = read_token(text_, at_, LexMode::tag, false);
     if (line_end.kind != TokenKind::end_of_line) return;
     const Token word = read_token(text_, line_end.end, LexMode::tag, false);
-    bool is_tags = word.kind == TokenKind::open_square || word.kind == TokenKind::less;
+    bool goes_on = word.kind == TokenKind::open_square || word.kind == TokenKind::less ||
+                   word.kind == TokenKind::open_curly || word.kind == TokenKind::star;
     if (word.kind == TokenKind::name) {
+        // Tags or paths.
         const Token next = token_behind(word);
-        is_tags =
-            next.kind == TokenKind::comma || next.kind == TokenKind::end_of_line || next.kind == TokenKind::end_of_text;
+        goes_on = next.kind == TokenKind::comma || next.kind == TokenKind::end_of_line ||
+                  next.kind == TokenKind::end_of_text || next.kind == TokenKind::close_curly ||
+                  next.kind == TokenKind::slash || next.kind == TokenKind::open_square || next.kind == TokenKind::arrow;
     }
-    if (is_tags) at_ = behind_line(word.begin, false);
+    if (goes_on) at_ = behind_line(word.begin, false);
 }
 
 }  // namespace filigree

@@ -19,8 +19,12 @@ bool Parser::is_rule(const Token& first, bool is_keyword) const {
 }
 
 std::optional<GroupRule> Parser::read_rule() {
+    std::optional<OperatorCall> call = read_call();
+    if (!call) return std::nullopt;
     GroupRule rule;
-    if (!read_call(rule)) return std::nullopt;
+    rule.label = std::move(call->name);
+    rule.operator_name = std::move(call->operator_name);
+    rule.arguments = std::move(call->arguments);
     if (!accept(TokenKind::colon)) {
         std::vector<std::string> hints = {"a rule is written 'operator(arguments) : tag -> tags'"};
         if (rule.label) hints = {"a value with a name is written 'let " + rule.label->text + " = ...'"};
@@ -33,36 +37,43 @@ std::optional<GroupRule> Parser::read_rule() {
     if (!read_clauses(rule)) return std::nullopt;
     if (at_statement_end()) return rule;
     if (!at(TokenKind::arrow)) {
-        fail_behind_tag("language.missing-arrow", "'->' and tags");
+        fail_behind_tag("language.missing-arrow", "'->' and tags", true);
         return std::nullopt;
     }
-    if (!read_outputs(rule)) return std::nullopt;
+    take();
+    if (!read_outputs(rule.outputs, true)) return std::nullopt;
     return rule;
 }
 
-bool Parser::read_call(GroupRule& rule) {
+// Without an example, a name before '=' may have been meant for a value.
+std::optional<OperatorCall> Parser::read_call(std::string_view example) {
+    OperatorCall call;
+    const std::uint32_t begin = peek().begin;
     std::optional<Name> name = read_name("an operator");
-    if (!name) return false;
+    if (!name) return std::nullopt;
     if (accept(TokenKind::assign)) {
-        rule.label = std::move(*name);
+        call.name = std::move(*name);
         const Token found = peek();
         const TokenKind behind = found.kind == TokenKind::name ? token_behind(found).kind : TokenKind::end_of_text;
         if (behind != TokenKind::open_round && behind != TokenKind::colon) {
-            const std::string value_hint = "a value with a name is written 'let " + rule.label->text + " = ...'";
-            fail_expected("language.missing-operator", "an operator with its arguments", {value_hint});
-            return false;
+            const std::string value_hint = "a value with a name is written 'let " + call.name->text + " = ...'";
+            fail_expected("language.missing-operator", "an operator with its arguments",
+                          {example.empty() ? value_hint : std::string(example)});
+            return std::nullopt;
         }
         name = read_name("an operator");
-        if (!name) return false;
+        if (!name) return std::nullopt;
     }
-    rule.operator_name = std::move(*name);
+    call.operator_name = std::move(*name);
     if (!at(TokenKind::open_round)) {
         fail_expected("language.missing-arguments", "'(' behind the operator",
-                      {"an operator without arguments is written '" + rule.operator_name.text + "()'"});
-        return false;
+                      {"an operator without arguments is written '" + call.operator_name.text + "()'"});
+        return std::nullopt;
     }
     int height = 0;
-    return read_arguments(rule.arguments, height);
+    if (!read_arguments(call.arguments, height)) return std::nullopt;
+    call.span = span_from(begin);
+    return call;
 }
 
 bool Parser::read_clauses(GroupRule& rule) {
@@ -80,19 +91,19 @@ bool Parser::read_clauses(GroupRule& rule) {
     return true;
 }
 
-bool Parser::read_outputs(GroupRule& rule) {
-    take();  // the arrow
-    if (!at(TokenKind::open_square)) return read_output_list(rule);
+// What stands behind the arrow, to the end of the statement.
+bool Parser::read_outputs(std::vector<OutputTag>& outputs, bool is_rule) {
+    if (!at(TokenKind::open_square)) return read_output_list(outputs, is_rule);
     if (!open_bracket()) return false;
     std::string_view place = "behind '['";
     do {
         std::optional<OutputTag> output = read_output(place);
         if (!output) return false;
-        rule.outputs.push_back(std::move(*output));
+        outputs.push_back(std::move(*output));
         if (at(TokenKind::close_square, LexMode::tag)) {
             close_bracket();
             if (at_statement_end()) return true;
-            fail_behind_tag("language.unexpected-token", "the end of the statement");
+            fail_behind_tag("language.unexpected-token", "the end of the statement", is_rule);
             return false;
         }
         if (!at(TokenKind::comma, LexMode::tag)) {
@@ -108,8 +119,7 @@ bool Parser::read_outputs(GroupRule& rule) {
     } while (true);
 }
 
-// Tags without brackets, to the end of the statement.
-bool Parser::read_output_list(GroupRule& rule) {
+bool Parser::read_output_list(std::vector<OutputTag>& outputs, bool is_rule) {
     std::string_view place = "behind '->'";
     while (true) {
         std::optional<OutputTag> output = read_output(place);
@@ -117,10 +127,10 @@ bool Parser::read_output_list(GroupRule& rule) {
             is_continued_ = at(TokenKind::end_of_line, LexMode::tag);
             return false;
         }
-        rule.outputs.push_back(std::move(*output));
+        outputs.push_back(std::move(*output));
         if (at_statement_end()) return true;
         if (!at(TokenKind::comma)) {
-            fail_behind_tag("language.unexpected-token", "',' or the end of the statement");
+            fail_behind_tag("language.unexpected-token", "',' or the end of the statement", is_rule);
             return false;
         }
         const Token comma = take();
@@ -194,7 +204,7 @@ std::optional<OutputTag> Parser::read_angled_output() {
 }
 
 // What people write behind a tag that does not belong there.
-void Parser::fail_behind_tag(std::string_view code, std::string_view wanted) {
+void Parser::fail_behind_tag(std::string_view code, std::string_view wanted, bool is_rule) {
     const Token found = peek();
     std::vector<std::string> hints;
     const bool touches = found.begin == taken_end_;
@@ -209,7 +219,7 @@ void Parser::fail_behind_tag(std::string_view code, std::string_view wanted) {
         return fail(found,
                     error(std::string(code), "expected " + std::string(wanted) + ", found '=>'",
                           span_over(span_of(found), span_of(token_behind(found))), {"an arrow is written '->'"}));
-    } else if (is_clause && code != "language.missing-arrow") {
+    } else if (is_clause && is_rule && code != "language.missing-arrow") {
         hints = {in_quotes(bytes_of(found)) + " stands before the arrow"};
     }
     fail_behind_value(code, wanted, std::move(hints));

@@ -11,9 +11,9 @@ namespace filigree {
 
 namespace {
 
-constexpr std::array<std::string_view, 14> keywords = {"filigree", "grammar", "seed",  "unit", "resolution",
-                                                       "include",  "param",   "let",   "page", "limit",
-                                                       "symmetry", "palette", "start", "style"};
+constexpr std::array<std::string_view, 21> keywords = {
+    "filigree", "grammar", "seed",  "unit", "resolution", "include", "param",  "let",   "page",   "limit",   "symmetry",
+    "palette",  "start",   "style", "set",  "default",    "keep",    "reroll", "apply", "system", "operator"};
 
 bool is_keyword(std::string_view word) { return std::find(keywords.begin(), keywords.end(), word) != keywords.end(); }
 
@@ -51,7 +51,7 @@ std::optional<Statement> Parser::read_statement() {
     } else if (const bool has_keyword = is_keyword(bytes_of(first)); is_rule(first, has_keyword)) {
         if (std::optional<GroupRule> rule = read_rule()) statement.node = std::move(*rule);
     } else if (has_keyword) {
-        read_by_keyword(take(), statement);
+        if (may_stand_here(first)) read_by_keyword(take(), statement);
         if (!has_failed_) expect_statement_end();
     } else {
         fail_unknown_statement(first);
@@ -77,13 +77,13 @@ void Parser::read_by_keyword(const Token& keyword, Statement& statement) {
     };
     if (takes_no_assign(word) && at(TokenKind::assign)) return fail_at_assign();
     if (word == "filigree") {
-        if (is_only_one(version_line_, keyword)) put(read_version());
+        if (is_only_one(first_.version, keyword)) put(read_version());
     } else if (word == "grammar") {
         named("the kind of grammar", "", [&](Name name) { statement.node = GrammarStatement{std::move(name)}; });
     } else if (word == "seed") {
-        if (is_only_one(seed_line_, keyword)) put(read_seed());
+        if (is_only_one(first_.seed, keyword)) put(read_seed());
     } else if (word == "unit") {
-        if (is_only_one(unit_line_, keyword)) put(read_unit());
+        if (is_only_one(first_.unit, keyword)) put(read_unit());
     } else if (word == "resolution") {
         if (ExpressionPtr value = read_expression()) statement.node = ResolutionStatement{std::move(value)};
     } else if (word == "include") {
@@ -116,8 +116,20 @@ void Parser::read_by_keyword(const Token& keyword, Statement& statement) {
         });
     } else if (word == "start") {
         put(read_start());
-    } else {
+    } else if (word == "style") {
         put(read_style());
+    } else if (word == "set" || word == "default") {
+        put(read_preset(word == "default"));
+    } else if (word == "keep") {
+        put(read_keep());
+    } else if (word == "reroll") {
+        put(read_reroll());
+    } else if (word == "apply") {
+        put(read_apply());
+    } else if (word == "system") {
+        put(read_system(keyword));
+    } else {
+        put(read_operator());
     }
 }
 
@@ -166,14 +178,14 @@ bool Parser::expect_assign(std::string_view example) {
     return false;
 }
 
-// The line of the first is counted once, when it is read.
-bool Parser::is_only_one(std::optional<std::uint32_t>& first_line, const Token& keyword) {
-    if (first_line) {
+bool Parser::is_only_one(std::optional<std::uint32_t>& first, const Token& keyword) {
+    if (first) {
+        const std::uint32_t line = line_column(text_, *first).line;
         fail(keyword, error("language.repeated-statement", "found a second " + in_quotes(bytes_of(keyword)),
-                            span_of(keyword), {"the first is on line " + std::to_string(*first_line)}));
+                            span_of(keyword), {"the first is on line " + std::to_string(line)}));
         return false;
     }
-    first_line = line_column(text_, keyword.begin).line;
+    first = keyword.begin;
     return true;
 }
 
@@ -235,7 +247,11 @@ std::optional<UnitStatement> Parser::read_unit() {
                           span_of(token), std::move(hints)));
         return std::nullopt;
     }
-    session_.units[file_] = *unit;
+    if (blocks_.empty()) {
+        session_.units[file_] = *unit;
+    } else {
+        blocks_.back().unit = *unit;
+    }
     return UnitStatement{*unit};
 }
 

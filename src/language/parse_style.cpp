@@ -33,7 +33,7 @@ std::optional<StyleStatement> Parser::read_style() {
 bool Parser::read_style_block(StyleStatement& style) {
     open_block_ = take();
     while (true) {
-        while (accept(TokenKind::end_of_line) || accept(TokenKind::semicolon)) {}
+        skip_statement_ends();
         if (accept(TokenKind::close_curly)) break;
         if (at(TokenKind::end_of_text)) {
             fail_unclosed(*open_block_, peek());

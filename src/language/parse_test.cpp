@@ -371,6 +371,19 @@ TEST(ParseProperty, RandomDocumentsAreRight) {
     }
 }
 
+TEST(ParseProperty, RandomDocumentsHaveStatementsOfEveryKind) {
+    std::map<std::size_t, std::size_t> counts;
+    const std::uint64_t cases = 1000;
+    for (std::uint64_t seed = 0; seed < cases; ++seed) {
+        RandomText random(seed);
+        const Parsed result = parsed(random.document().text);
+        for (const Statement& statement : result.document.statements) ++counts[statement.node.index()];
+    }
+    // All but `include`.
+    EXPECT_EQ(counts.size(), std::variant_size_v<decltype(Statement::node)> - 1);
+    for (const auto& [kind, count] : counts) EXPECT_GT(count, cases / 20) << kind;
+}
+
 void expect_sound(const Parsed& result, const std::string& text, std::uint64_t seed) {
     ASSERT_EQ(result.document.text(), text) << "seed " << seed;
     for (const Diagnostic& diagnostic : result.diagnostics) {
@@ -447,7 +460,19 @@ TEST(ParseProperty, OneErrorForOneBrokenStatement) {
                                                 "let a = (1, 2, 3, 4)",
                                                 "f(]) : a",
                                                 "let a = b = c",
-                                                "f(x = 1) : a -> b"});
+                                                "f(x = 1) : a -> b",
+                                                "set a",
+                                                "set a.b = ",
+                                                "set a//b = 3",
+                                                "keep a[1",
+                                                "keep a = 3",
+                                                "reroll a x 0",
+                                                "apply f() to a,\n b/c -> d",
+                                                "apply f() : a",
+                                                "system s { keep a } b",
+                                                "system s\n{\n keep a\n}",
+                                                "system {\n keep a\n}",
+                                                "operator s {\n f() : a\n}"});
         const std::string text =
             "let before = 1\n" + broken + "\noutline(3) : z -> y\nstyle q { fill: black }\nlet after = 2\n";
         const Parsed result = parsed(text);

@@ -49,7 +49,11 @@ public:
         : session_(session), text_(text), file_(file), at_(text_start(text)), lookahead_left_(4 * text.size() + 1000) {}
 
     void parse_statements();
-    ExpressionPtr parse_lone_expression();  // null: the failure is in the session
+    // One thing and nothing else; none: the failure is in the session.
+    std::optional<ExpressionPtr> parse_lone_expression();
+    std::optional<ChoicePath> parse_lone_path();
+    std::optional<OperatorCall> parse_lone_call();
+    std::optional<std::vector<OutputTag>> parse_lone_outputs();
 
 private:
     // --- tokens (parse.cpp)
@@ -60,6 +64,9 @@ private:
     bool at_word(std::string_view word);  // a name of these bytes
     bool accept_word(std::string_view word);
     bool at_statement_end();
+    void skip_line_ends();
+    void skip_statement_ends();
+    bool expect_text_end(std::string_view wanted);
     Token token_behind(const Token& token) const { return read_token(text_, token.end, LexMode::value, false); }
     std::string_view bytes_of(const Token& token) const { return text_.substr(token.begin, token.end - token.begin); }
     SourceSpan span_of(const Token& token) const { return {file_, token.begin, token.end}; }
@@ -84,6 +91,7 @@ private:
     std::uint32_t behind_line(std::uint32_t at, bool is_lost);
     void skip_continuation();
     std::optional<std::uint32_t> behind_brackets(std::uint32_t from, std::size_t depth);
+    std::optional<std::uint32_t> end_of_block(std::uint32_t open);
     std::optional<std::uint32_t> behind_block(std::uint32_t open);
     bool spend(const Token& token, std::uint32_t from);
 
@@ -98,7 +106,7 @@ private:
     std::optional<ParamStatement> read_param();
     std::optional<PageStatement> read_page();
     std::optional<StartStatement> read_start();
-    bool is_only_one(std::optional<std::uint32_t>& first_line, const Token& keyword);
+    bool is_only_one(std::optional<std::uint32_t>& first, const Token& keyword);
     bool expect_assign(std::string_view example);
     void expect_statement_end();
 
@@ -109,19 +117,46 @@ private:
     bool is_tag(const Token& token, std::string_view place);
     std::optional<std::string> read_text(std::string_view wanted, SourceSpan& span);
 
+    // --- paths (parse_path.cpp) and what stands before them (parse_preset.cpp)
+    std::optional<ChoicePath> read_path(std::string_view example);
+    void fail_behind_path(std::string_view code, std::string_view wanted, std::vector<std::string> hints = {});
+    std::optional<PresetStatement> read_preset(bool is_default);
+    std::optional<KeepStatement> read_keep();
+    std::optional<RerollStatement> read_reroll();
+    bool read_times(RerollStatement& reroll);
+    std::optional<ApplyStatement> read_apply();
+    bool read_targets(std::vector<ChoicePath>& targets);
+
+    // --- statements with statements inside (parse_block.cpp)
+    struct Block {
+        Token open;  // its '{'
+        bool has_rules_alone = false;
+        std::optional<Unit> unit = {};
+    };
+    // Where the statements that may stand once stand first.
+    struct FirstPlaces {
+        std::optional<std::uint32_t> version, seed, unit;
+    };
+    bool may_stand_here(const Token& keyword);
+    std::optional<SystemStatement> read_system(const Token& keyword);
+    std::optional<OperatorStatement> read_operator();
+    bool read_definition_parameters(std::vector<DefinitionParameter>& parameters);
+    bool read_ports(std::vector<Name>& ports);
+    std::optional<Block> read_block(bool has_rules_alone, std::vector<Statement>& into, std::string_view wanted);
+
     // --- styles (parse_style.cpp) and rules (parse_rule.cpp)
     std::optional<StyleStatement> read_style();
     bool read_style_block(StyleStatement& style);
     std::optional<StyleProperty> read_property();
     bool is_rule(const Token& first, bool is_keyword) const;
     std::optional<GroupRule> read_rule();
-    bool read_call(GroupRule& rule);
+    std::optional<OperatorCall> read_call(std::string_view example = "");
     bool read_clauses(GroupRule& rule);
-    bool read_outputs(GroupRule& rule);
-    bool read_output_list(GroupRule& rule);
+    bool read_outputs(std::vector<OutputTag>& outputs, bool is_rule);
+    bool read_output_list(std::vector<OutputTag>& outputs, bool is_rule);
     std::optional<OutputTag> read_output(std::string_view place);
     std::optional<OutputTag> read_angled_output();
-    void fail_behind_tag(std::string_view code, std::string_view wanted);
+    void fail_behind_tag(std::string_view code, std::string_view wanted, bool is_rule);
 
     // --- expressions (parse_expression.cpp)
     ExpressionPtr read_expression();   // the whole of `expr`
@@ -159,15 +194,20 @@ private:
     bool has_ahead_ = false;
 
     std::vector<Token> open_;          // the ( and [ around the place
-    std::optional<Token> open_block_;  // the { around the place
+    std::optional<Token> open_block_;  // the { of a style around the place
+    std::vector<Block> blocks_;        // the systems and the operator around the statement
     std::size_t nesting_ = 0;          // `?` around the place
     bool has_failed_ = false;
     Token failed_at_;               // the token that could not be taken
     bool is_continued_ = false;     // the statement broke off where its author went on in the next line
     std::uint64_t lookahead_left_;  // bytes
 
-    // Lines of the first statement of each kind that may stand only once.
-    std::optional<std::uint32_t> version_line_, seed_line_, unit_line_;
+    struct BlockEnd {
+        std::uint32_t begin = 0, end = 0;  // end 0: nothing closes it
+    };
+    std::vector<BlockEnd> block_ends_;
+    bool has_block_ends_ = false;
+    FirstPlaces first_;  // in the innermost block
 };
 
 }  // namespace filigree

@@ -36,8 +36,19 @@ public:
         if (chance(2)) add(result, "seed" + gap() + std::to_string(bits() >> below(64)));
         if (!chance(5)) add(result, "grammar" + gap() + "tangle");
         if (chance(3)) add(result, "unit" + gap() + pick({"mm", "cm", "m", "in", "pt", "px"}));
-        for (std::uint32_t i = 0; i < count; ++i) statement(result);
+        for (std::uint32_t i = 0; i < count; ++i) statement(result, 2);
         if (chance(3)) result.text += " # the end";
+        return result;
+    }
+
+    // A path; of a group alone where it has no parameter.
+    std::string path(bool may_have_parameter) {
+        std::string result = chance(6) ? pick({"**", "*"}) : path_name();
+        while (!chance(3)) result += "/" + (chance(4) ? pick({"*", "**", "2", "5,2,2", "007"}) : path_name());
+        if (may_have_parameter && chance(2)) {
+            result += "." + name();
+            if (chance(3)) result += pick({"~1", "~2", "~17"});
+        }
         return result;
     }
 
@@ -62,12 +73,18 @@ private:
     std::string room() { return chance(6) ? blank() + pick({"", " # a note", " #"}) + end_ + blank() : blank(); }
 
     std::string name() {
-        return pick({"gap", "in", "when", "weight", "x", "step", "start", "p\xC3\xA9tale", "p\x65\xCC\x81tale", "_a1",
-                     "\xE8\x91\x89", "margin", "true_", "mm"});
+        return pick({"gap", "in", "set", "to", "x3", "system", "when", "weight", "x", "step", "start", "p\xC3\xA9tale",
+                     "p\x65\xCC\x81tale", "_a1", "\xE8\x91\x89", "margin", "true_", "mm"});
     }
     std::string tag() {
         return pick({"leaf", "in", "out", "0_medium_poly", "2in", "5deg", "1e5", "when", "weight", "match", "_x", "__",
-                     "bl\xC3\xA4tt", "seed", "fit"});
+                     "bl\xC3\xA4tt", "seed", "fit", "keep", "operator", "to", "apply"});
+    }
+    std::string path_name() {
+        std::string result = tag();
+        if (chance(5)) result += pick({"#2", "#1", "#12"});
+        if (chance(5)) result += pick({"[1]", "[3,1]", "[2,3,17]"});
+        return result;
     }
     std::string number() {
         return pick({"0", "12", "3.5mm", "1.2m", "30deg", "40%", "1e-3", ".5", "5.", "2in", "1e5", "0.25turn", "4GB",
@@ -156,12 +173,15 @@ private:
         }
         return result + (has_brackets ? "]" : "");
     }
-    std::string rule() {
-        std::string result = chance(3) ? name() + blank() + "=" + blank() : "";
-        result += pick({"outline", "place", "regular_split", "regularSplit"}) + blank() + "(" + room();
+    std::string operator_call() {
+        std::string result = pick({"outline", "place", "regular_split", "regularSplit"}) + blank() + "(" + room();
         const std::uint32_t count = below(3);
         for (std::uint32_t i = 0; i < count; ++i) result += (i > 0 ? "," : "") + room() + expression(2) + room();
-        result += ")" + blank() + ":" + blank() + tag();
+        return result + ")";
+    }
+    std::string rule() {
+        std::string result = chance(3) ? name() + blank() + "=" + blank() : "";
+        result += operator_call() + blank() + ":" + blank() + tag();
         if (chance(3)) result += gap() + "when" + gap() + expression(1);
         if (chance(3)) result += gap() + "weight" + gap() + expression(1);
         if (!chance(5)) result += gap() + pick({"->", "\xE2\x86\x92"}) + blank() + outputs();
@@ -179,9 +199,60 @@ private:
         }
         return result + room() + "}";
     }
-    void statement(RandomDocument& into) {
-        switch (below(12)) {
-            case 0: {
+    std::string preset() {
+        std::string result = pick({"set", "default"}) + gap() + path(true) + blank() + "=" + blank() + expression(2);
+        if (chance(3)) result += gap() + "when" + gap() + expression(1);
+        return result;
+    }
+    std::string apply() {
+        std::string result = "apply" + gap() + (chance(2) ? name() + blank() + "=" + blank() : "");
+        result += operator_call() + gap() + "to" + gap() + path(false);
+        while (chance(3)) result += blank() + "," + gap() + path(false);
+        if (chance(2)) result += blank() + pick({"->", "\xE2\x86\x92"}) + blank() + outputs();
+        return result;
+    }
+    std::string definition_parameters() {
+        std::string result = "(" + room();
+        const std::uint32_t count = below(4);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            if (i > 0) result += "," + room();
+            result += name() + room();
+            if (chance(2)) result += "=" + room() + expression(1) + room();
+        }
+        return result + ")";
+    }
+    std::string block(bool has_rules_alone, int depth) {
+        RandomDocument inner;
+        inner.text = chance(2) ? end_ : " ";
+        if (!has_rules_alone && chance(2)) add(inner, "grammar" + gap() + "tangle");
+        if (!has_rules_alone && chance(3)) add(inner, "seed" + gap() + std::to_string(below(100)));
+        if (!has_rules_alone && chance(3)) add(inner, "unit" + gap() + pick({"mm", "cm"}));
+        for (std::uint32_t count = below(4); count > 0; --count) {
+            if (has_rules_alone) {
+                add(inner, rule());
+            } else {
+                statement(inner, depth - 1);
+            }
+        }
+        if (chance(2)) inner.text += blank() + rule() + blank();
+        return "{" + inner.text + "}";
+    }
+    std::string system(int depth) {
+        const std::string parameters = chance(2) ? blank() + definition_parameters() : "";
+        return "system" + gap() + name() + parameters + blank() + block(false, depth);
+    }
+    std::string macro() {
+        std::string result = "operator" + gap() + name() + blank() + definition_parameters() + blank();
+        if (chance(2)) {
+            result += pick({"->", "\xE2\x86\x92"}) + blank() + tag() + blank();
+            while (chance(3)) result += "," + blank() + tag() + blank();
+        }
+        return result + block(true, 0);
+    }
+    void statement(RandomDocument& into, int depth) {
+        switch (below(depth > 0 ? 19 : 17)) {
+            case 0:
+            case 1: {
                 const std::string parameter = "p" + std::to_string(into.parameters.size());
                 std::string text = "param" + gap() + parameter + blank() + "=" + blank() + range(2);
                 if (chance(2)) text += gap() + "in" + gap() + range(1);
@@ -190,24 +261,37 @@ private:
                 into.parameters.push_back(parameter);
                 return add(into, text);
             }
-            case 1:
-                return add(into, "let" + gap() + name() + blank() + "=" + blank() + expression(2));
             case 2:
+                return add(into, "let" + gap() + name() + blank() + "=" + blank() + expression(2));
+            case 3:
                 return add(into, "page" + gap() +
                                      pick({"fit", "a4", "tile 10mm x 20mm", "210mm x 297mm", "a4 margin 10mm",
                                            "fit margin 1cm", "(3 + 4) x gap margin 2"}));
-            case 3:
-                return add(into, "limit" + gap() + name() + gap() + expression(1));
             case 4:
-                return add(into, "start" + gap() + tag() + blank() + "=" + blank() + expression(2));
+                return add(into, "limit" + gap() + name() + gap() + expression(1));
             case 5:
-                return add(into, "start" + gap() + "from" + blank() + text());
+                return add(into, "start" + gap() + tag() + blank() + "=" + blank() + expression(2));
             case 6:
-                return add(into, style());
+                return add(into, "start" + gap() + "from" + blank() + text());
             case 7:
-                return add(into, "palette" + gap() + name() + blank() + "=" + blank() + "[#a03," + room() + "#000]");
+                return add(into, style());
             case 8:
+                return add(into, "palette" + gap() + name() + blank() + "=" + blank() + "[#a03," + room() + "#000]");
+            case 9:
                 return add(into, pick({"symmetry p4m", "resolution 0.25", "resolution (1 / 4)"}));
+            case 10:
+                return add(into, preset());
+            case 11:
+                return add(into, "keep" + gap() + path(true));
+            case 12:
+                return add(into, "reroll" + gap() + path(true) +
+                                     (chance(2) ? gap() + pick({"x 2", "x3", "x\t1000000000", "x 01"}) : ""));
+            case 13:
+                return add(into, apply());
+            case 17:
+                return add(into, system(depth));
+            case 18:
+                return add(into, macro());
             default:
                 return add(into, rule());
         }
@@ -244,9 +328,10 @@ inline std::string damaged(std::string text, RandomText& random) {
                 text.resize(at);
                 break;
             case 3:
-                text.insert(
-                    at, random.pick({"(", ")", "[", "]",  "{",  "}", "\"",       "#", ";",  "\n", "->",   "=",  ",",
-                                     ":", "<", ">", "..", "\\", "%", "\xC2\xA0", "?", "\r", "9",  "when", "in", "_"}));
+                text.insert(at, random.pick({"(",  ")",        "[",    "]",      "{",          "}",    "\"", "#",  ";",
+                                             "\n", "->",       "=",    ",",      ":",          "<",    ">",  "..", "\\",
+                                             "%",  "\xC2\xA0", "?",    "\r",     "9",          "when", "in", "_",  "/",
+                                             "**", "~",        "set ", "apply ", "system a {", " to ", "#2"}));
                 break;
             default:
                 text[at] = static_cast<char>(random.below(256));

@@ -22,10 +22,12 @@ std::string quoted(std::string_view name) { return "'" + std::string(name) + "'"
 
 class SettingsReader {
 public:
-    explicit SettingsReader(const Document& document) : document_(document) {}
+    SettingsReader(const Document& document, const DocumentSite& site) : document_(document), site_(site) {}
 
     Result<Settings> run() {
         find_seed_and_definitions();
+        walk_ = begin_walk(site_, document_, settings_.globals, settings_.seed);
+        define_given();
         for (const Statement& statement : document_.statements) {
             std::visit([&](const auto& node) { read(statement, node); }, statement.node);
         }
@@ -39,6 +41,8 @@ public:
 
 private:
     const Document& document_;
+    const DocumentSite& site_;
+    PresetWalk walk_;
     Settings settings_;
     Diagnostics diagnostics_;
     std::map<std::string, SourceSpan, std::less<>> defined_;  // where each name is defined first
@@ -71,6 +75,19 @@ private:
         }
     }
     void define(const Name& name) { defined_.emplace(name.text, name.span); }
+
+    // What the embedding document gives that is no `param` here: the parameters of a system.
+    void define_given() {
+        for (const auto& [name, value] : site_.given) {
+            if (defined_.find(name) == defined_.end()) settings_.globals.names.emplace(name, value);
+        }
+    }
+    const Value* given(std::string_view name) const {
+        for (const auto& [known, value] : site_.given) {
+            if (known == name) return &value;
+        }
+        return nullptr;
+    }
 
     // Whether this is the name's first definition; warns of names that mean something else in rules.
     bool is_first_definition(const Name& name) {
@@ -124,11 +141,31 @@ private:
         at.site.seed = settings_.seed;
         return at;
     }
+    // Where the choices of a definition are made.
+    Evaluation of_definition(const Name& name) const {
+        Evaluation at = plain();
+        at.site = {settings_.seed, rooted(site_, definition_key(name.text)), name.text};
+        return at;
+    }
     std::optional<Value> value_of(const Expression& expression, const Evaluation& at) {
         if (!names_are_known(expression)) return std::nullopt;
         Diagnostics problems = check_expression(expression, at);
         if (problems.empty()) {
             Result<Value> value = evaluate(expression, at);
+            if (value) return std::move(*value);
+            problems = std::move(value).diagnostics();
+        }
+        append(diagnostics_, std::move(problems));
+        return std::nullopt;
+    }
+    // The value of a definition: what presets say of let/NAME, else its own.
+    std::optional<Value> defined_value(const Name& name, const Expression& expression, const Evaluation& at) {
+        if (!names_are_known(expression)) return std::nullopt;
+        Diagnostics problems = check_expression(expression, at);
+        if (problems.empty()) {
+            const PresetNode node = definition_node(walk_, name.text);
+            const Result<StepChoices> choices = choices_at(walk_, node, settings_.globals, &settings_.definitions);
+            Result<Value> value = choices ? evaluate_with(*choices, "", expression, at) : choices.diagnostics();
             if (value) return std::move(*value);
             problems = std::move(value).diagnostics();
         }
@@ -169,6 +206,12 @@ private:
     void read(const Statement&, const IncludeStatement&) {}
     void read(const Statement&, const StartStatement&) {}  // derivation/plane_start.h knows the shapes
     void read(const Statement&, const StyleStatement& style) { settings_.styles.push_back(&style); }
+    void read(const Statement&, const PresetStatement&) {}  // presets.h
+    void read(const Statement&, const KeepStatement&) {}
+    void read(const Statement&, const RerollStatement&) {}
+    void read(const Statement&, const ApplyStatement& apply) { settings_.applies.push_back(&apply); }
+    void read(const Statement&, const OperatorStatement& macro) { settings_.operators.push_back(&macro); }
+    void read(const Statement&, const SystemStatement& system) { settings_.systems.push_back(&system); }
     void read(const Statement& statement, const GroupRule& rule) {
         settings_.rules.push_back(&rule);
         settings_.rule_spans.push_back(statement.span);
@@ -199,9 +242,7 @@ private:
 
     void read(const Statement&, const LetStatement& let) {
         if (!is_first_definition(let.name)) return;
-        Evaluation at = plain();
-        at.site = definition_site(settings_.seed, let.name.text);
-        set_value(let.name, value_of(*let.value, at));
+        set_value(let.name, defined_value(let.name, *let.value, of_definition(let.name)));
     }
 
     void read(const Statement&, const PaletteStatement& palette) {
@@ -214,10 +255,9 @@ private:
                          quoted(palette.name.text) + " is a function and cannot name a palette", palette.name.span));
             return std::nullopt;
         }
-        Evaluation at = plain();
+        Evaluation at = of_definition(palette.name);
         at.words = colour_words_beside(&settings_.globals);
-        at.site = definition_site(settings_.seed, palette.name.text);
-        std::optional<Value> value = value_of(*palette.colours, at);
+        std::optional<Value> value = defined_value(palette.name, *palette.colours, at);
         if (!value) return std::nullopt;
         ValueList* list = std::get_if<ValueList>(&value->data);
         if (list == nullptr || list->items.empty()) {
@@ -246,8 +286,7 @@ private:
         set_value(param.name, param_value(param));
     }
     std::optional<Value> param_value(const ParamStatement& param) {
-        Evaluation at = plain();
-        at.site = definition_site(settings_.seed, param.name.text);
+        Evaluation at = of_definition(param.name);
         if (param.domain) at.words = words_of(*param.domain);
         std::optional<ParamDomain> domain;
         if (param.domain && !(domain = domain_of(*param.domain, at))) return std::nullopt;
@@ -261,8 +300,13 @@ private:
         const Expression kept{param.value->span, WithinExpression{param.value, param.domain}};
         const bool is_kept = call != nullptr && call->name == "normal" && domain && domain->range;
 
-        std::optional<Value> value = value_of(is_kept ? kept : *param.value, at);
-        if (!value || !domain || is_kept) return value;
+        std::optional<Value> value;
+        if (const Value* known = given(param.name.text)) {
+            value = *known;
+        } else {
+            value = defined_value(param.name, is_kept ? kept : *param.value, at);
+        }
+        if (!value || !domain) return value;
         std::optional<Diagnostic> problem = end_outside(*param.value, at, *domain);
         if (!problem) problem = outside(*domain, *value, document_, param.value->span);
         if (!problem) return value;
@@ -429,10 +473,10 @@ private:
 
 }  // namespace
 
-Result<Settings> read_settings(const Document& document) { return SettingsReader(document).run(); }
-
-ChoiceSite definition_site(std::uint64_t seed, std::string_view name) {
-    return {seed, Key{hash_text("let/" + std::string(name))}, std::string(name)};
+Result<Settings> read_settings(const Document& document, const DocumentSite& site) {
+    return SettingsReader(document, site).run();
 }
+
+Key definition_key(std::string_view name) { return Key{hash_text("let/" + std::string(name))}; }
 
 }  // namespace filigree

@@ -10,6 +10,7 @@
 #include "base/result.h"
 #include "language/document.h"
 #include "language/evaluate.h"
+#include "language/preset_walk.h"
 
 namespace filigree {
 
@@ -32,16 +33,20 @@ struct Settings {
     std::vector<const StyleStatement*> styles;  // in order; point into the document (style.h reads them)
     std::vector<const GroupRule*> rules;        // likewise
     std::vector<SourceSpan> rule_spans;
+    std::vector<const ApplyStatement*> applies;       // likewise
+    std::vector<const OperatorStatement*> operators;  // likewise
+    std::vector<const SystemStatement*> systems;      // likewise
+    ChoiceBuffer definitions;                         // the choices of params, lets and palettes
 };
 
 // `document` must outlive the result. Reports: two or no `grammar`, doubled names (param, let, palette share
 // one space), values outside a parameter's domain, wrong kinds, unknown limits, pages and units, and names that are
 // defined later than they are used. Warns of names that rules and styles use for something else (area, x, ...).
-// Choices in `param` and `let` are drawn once, at the key of "let/NAME".
+// Choices in `param` and `let` are drawn once, at the key of "let/NAME"; presets of that path are obeyed.
 // Named pages: a0..a6, letter, legal, tabloid; portrait.
-Result<Settings> read_settings(const Document& document);
+Result<Settings> read_settings(const Document& document, const DocumentSite& site = {});
 
-// Where choices in the definition of a name are drawn.
-ChoiceSite definition_site(std::uint64_t seed, std::string_view name);
+// Where choices in the definition of a name are drawn: at this key, under the name itself.
+Key definition_key(std::string_view name);
 
 }  // namespace filigree

@@ -8,9 +8,12 @@
 //   TagStyle of_leaf = style_of_tag(*sheet, "leaf");               // once a tag
 //   if (of_leaf.is_constant) use(of_leaf.common);
 //   else use(*style_of_shape(*sheet, of_leaf, shape_scope, key));  // once a shape
+//
+// In paths the document's first style statement is `style`, the N-th style#N, below a shape: leaf/3/style#2.fill.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -19,6 +22,7 @@
 #include "base/result.h"
 #include "language/evaluate.h"
 #include "language/settings.h"
+#include "language/step_choices.h"
 #include "scene/drawing.h"
 
 namespace filigree {
@@ -46,9 +50,15 @@ struct StyleRule {
     std::vector<std::string> tags = {};  // `*` matches every tag
     ExpressionPtr condition = {};        // null: always
     std::optional<bool> constant_condition = {};
-    std::vector<StyleRuleProperty> properties = {};
-    std::string site = {};  // names its choices: "style#2"
+    std::vector<StyleRuleProperty> properties = {};  // each kind once, the one that counts
+    std::string segment = {};                        // in paths: "style", "style#2", ...
+    // Under which its choices are drawn. Numbered among those that draw, so that plain statements between them change
+    // no picture.
+    std::string site = {};
 };
+
+// How paths name the N-th style statement of a document, from 1: style, style#2, ...
+std::string style_segment(std::size_t number);
 
 struct StyleSheet {
     const Document* document = nullptr;
@@ -67,10 +77,22 @@ struct TagStyle {
     StyleOverride common = {};              // what holds before any shape is looked at; all of it where constant
     std::vector<std::uint32_t> rules = {};  // the rules that must be gone through for each shape, in order
 };
-TagStyle style_of_tag(const StyleSheet& sheet, std::string_view tag);
+// `may_be_preset`: whether a preset may say something of a style; then no style is the same for all shapes.
+TagStyle style_of_tag(const StyleSheet& sheet, std::string_view tag, bool may_be_preset = false);
+
+// How the choices of a shape's styles are made: what presets say at GROUP/SHAPE/SEGMENT of `when`, `fill`, `stroke`,
+// `pen` and `corner`, and where they are recorded: at the key of the shape, folded with the segment, under these names.
+// What the result points to must last until the next call. Empty: drawn by the document's seed and not recorded.
+using StyleChoices = std::function<Result<StepChoices>(std::string_view segment)>;
 
 // The style of one shape. Its scope holds the shape's names (its outer scopes come before the globals); choices
 // are drawn at its key. A list of colours as fill or stroke gives the shape's group one: the first to group 1.
-Result<StyleOverride> style_of_shape(const StyleSheet& sheet, const TagStyle& of_tag, const Scope& shape, Key key);
+Result<StyleOverride> style_of_shape(const StyleSheet& sheet, const TagStyle& of_tag, const Scope& shape, Key key,
+                                     const StyleChoices& choices = {});
+
+// What is wrong, whatever the shape, with a preset's value for a style's property (or its `when`), which
+// knows the globals and the shape.
+Diagnostics check_style_preset(std::string_view property, const Expression& value, const Document& document,
+                               const Scope& globals);
 
 }  // namespace filigree

@@ -6,6 +6,7 @@
 #include "base/number_text.h"
 #include "language/check.h"
 #include "language/names.h"
+#include "language/preset_place.h"
 #include "language/text_evaluation.h"
 
 namespace filigree {
@@ -137,6 +138,118 @@ TEST(Styles, WhatOnlyAShapeShowsIsReportedThere) {
     EXPECT_EQ(shown(result, "leaf", shape_of(6)), "language.not-finite@1 / (group - 6)\n");
     EXPECT_EQ(shown(result, "leaf", shape_of(8)), "pen 0.5 ");
     EXPECT_EQ(shown(result, "leaf", shape_of(5)), "language.out-of-range@1 / (group - 6)\n");
+}
+
+// --- presets ----------------------------------------------------------------------------------------------------
+
+class StylePresets : public testing::Test {
+protected:
+    Styled styles;
+    PresetPlace place;
+    std::vector<std::uint32_t> accepted_at_rule;
+    bool random = true;
+
+    // The style of the leaf with this key, by what presets say of leaf/3.
+    std::string run(const std::string& text, std::string_view presets, std::uint64_t key = 1) {
+        styles = styled(text);
+        place.seed = styles.settings->seed;
+        place.globals = styles.settings->globals;
+        place.stand_at("leaf", presets);
+        const TagStyle of_tag = style_of_tag(*styles.sheet, "leaf", true);
+        const StyleChoices choices = [this](std::string_view segment) -> Result<StepChoices> {
+            accepted_at_rule = place.accepted_at("leaf/3/" + std::string(segment));
+            StepChoices at_rule = place.choices;
+            at_rule.accepted = accepted_at_rule;
+            const Result<bool> is_random = is_random_at(place.presets, accepted_at_rule, place.globals);
+            if (!is_random) return is_random.diagnostics();
+            at_rule.is_random = *is_random;
+            return at_rule;
+        };
+        Scope shape = shape_of(2);
+        const Result<StyleOverride> style = style_of_shape(*styles.sheet, of_tag, shape, Key{key}, choices);
+        return style ? text_of(*style) : style.diagnostics().front().code;
+    }
+    std::string rows(std::uint64_t key, std::string_view segment) const { return place.rows(child(Key{key}, segment)); }
+};
+
+TEST_F(StylePresets, ReplaceProperties) {
+    const std::string text = "style leaf { fill: white; pen: 3 }\nstyle leaf { fill: one_of(red, blue) }\n";
+    EXPECT_EQ(run(text, "set leaf/*/style#1.fill = black\nset **/style#1.pen = 5\n").substr(12), " pen 5 ");
+    EXPECT_EQ(run(text, "set leaf/3/style#2.fill = green\n"), "fill #008000 pen 3 ");
+    EXPECT_EQ(rows(1, "style#2"), "fill: green set\n");
+    EXPECT_EQ(run(text, "set leaf/4/style#2.fill = green\n"), run(text, ""));
+    EXPECT_EQ(run(text, "set **.fill = none\n"), "fill none pen 3 ");
+    EXPECT_EQ(run(text, "set **.stroke = red\n"), run(text, "")) << "only what the style says";
+    EXPECT_EQ(run(text, "set **.pen = -1\n"), "language.out-of-range");
+    EXPECT_EQ(run(text, "set **.fill = 3\n"), "language.wrong-kind");
+    EXPECT_EQ(run(text, "unit mm\nset **.pen = 1\n"), run(text, "set **.pen = 1mm\n")) << "in the unit of its document";
+    EXPECT_EQ(run("style leaf { corner: round }\n", "set **.corner = bevel\n"), "corner 2 ");
+    EXPECT_EQ(run("style leaf { fill: red }\n", "set **.fill = [red, #000001]\n"), "fill #000001 ") << "by the group";
+    EXPECT_EQ(run("style leaf { stroke-width: 1 }\n", "set **.pen = width / 5\n"), "pen 2 ");
+    EXPECT_EQ(run("style leaf { pen: 1; stroke-width: 2 }\n", ""), "pen 2 ");
+}
+
+TEST_F(StylePresets, TurnRulesOnAndOff) {
+    const std::string text =
+        "style leaf when area > 500 { pen: 3 }\nstyle leaf when false { pen: 4 }\nstyle leaf { corner: round }";
+    EXPECT_EQ(run(text, ""), "corner 1 ");
+    EXPECT_EQ(run(text, "set **/style#1.when = true"), "pen 3 corner 1 ");
+    EXPECT_EQ(rows(1, "style"), "when: true set\n");
+    EXPECT_EQ(run(text, "set **.when = true"), "pen 4 corner 1 ");
+    EXPECT_EQ(run(text, "set **/style#3.when = area < 5"), "");
+    EXPECT_EQ(run(text, "set **.when = 3"), "language.out-of-range");
+}
+
+TEST_F(StylePresets, DrawWhatTheyDrewAndRecordIt) {
+    const std::string text =
+        "style leaf { pen: 2 }\nstyle leaf { fill: one_of(red, blue, green); pen: 1..2 }\n"
+        "style leaf when (0..1) < 0.5 { stroke: one_of(red, none) }\n";
+    std::set<std::string> seen;
+    for (std::uint64_t key = 0; key < 40; ++key) {
+        const std::string with = run(text, "", key);
+        EXPECT_EQ(with, shown(styled(text), "leaf", shape_of(2), key)) << "the same bits";
+        seen.insert(with);
+        const std::string second = rows(key, "style#2"), third = rows(key, "style#3");
+        EXPECT_NE(("\n" + second).find("\nfill: one_of(red, blue, green) drawn "), std::string::npos) << second;
+        EXPECT_NE(("\n" + second).find("\npen: 1..2 drawn "), std::string::npos) << second;
+        EXPECT_NE(("\n" + third).find("\nwhen: 0..1 drawn "), std::string::npos) << third;
+        EXPECT_EQ(third.find("\nstroke: ") != std::string::npos, with.find("stroke") != std::string::npos);
+    }
+    EXPECT_GT(seen.size(), 30U);
+    // They replay under their own names.
+    place.replay.add(child(Key{7}, "style#2"), "fill", Value{Symbol{"green"}, {}});
+    place.replay.add(child(Key{7}, "style#2"), "pen", number_value(1.25));
+    EXPECT_EQ(run(text, "", 7).substr(0, 12), "fill #008000");
+    EXPECT_NE(run(text, "", 7).find("pen 1.25 "), std::string::npos);
+    EXPECT_NE(run(text, "set **.is_random = false", 9).find("pen 1.5 "), std::string::npos);
+    EXPECT_NE(run(text, "set **.is_random = false\ndefault **.pen = 4", 9).find("pen 4 "), std::string::npos);
+    EXPECT_NE(run(text, "reroll **/style#2.pen", 9), run(text, "", 9));
+}
+
+TEST_F(StylePresets, CostNothingWhereNoneNamesAStyle) {
+    const Styled result = styled("style leaf { fill: white }\nstyle leaf when false { pen: 4 }\n");
+    EXPECT_TRUE(style_of_tag(*result.sheet, "leaf").is_constant);
+    const TagStyle open = style_of_tag(*result.sheet, "leaf", true);
+    EXPECT_FALSE(open.is_constant);
+    EXPECT_EQ(open.rules, (std::vector<std::uint32_t>{0, 1}));
+    EXPECT_EQ(open.common, StyleOverride{});
+    EXPECT_TRUE(style_of_tag(*result.sheet, "other", true).is_constant);
+}
+
+TEST_F(StylePresets, AreCheckedUpFront) {
+    const auto check = [&](std::string_view property, std::string_view text) {
+        const Diagnostics found = check_style_preset(property, *expression_of(text, 0), place.document, place.globals);
+        return found.empty() ? std::string() : found.front().code;
+    };
+    EXPECT_EQ(check("fill", "one_of(red, none)"), "");
+    EXPECT_EQ(check("fill", "rde"), "language.unknown-name");
+    EXPECT_EQ(check("stroke", "3"), "language.wrong-kind");
+    EXPECT_EQ(check("pen", "-1"), "language.out-of-range");
+    EXPECT_EQ(check("pen", "width / 3"), "");
+    EXPECT_EQ(check("corner", "sharp"), "language.unknown-name");
+    EXPECT_EQ(check("when", "area > 3 && index < 2"), "");
+    EXPECT_EQ(check("when", "area"), "language.wrong-kind");
+    EXPECT_EQ(check("other", "nothing"), "");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/number_text.h"
+#include "language/choice_path.h"
 #include "language/document.h"
 
 namespace filigree {
@@ -82,6 +83,8 @@ inline std::string unparse(const ExpressionPtr& expression) {
     return expression ? std::visit(ExpressionUnparser{}, expression->node) : "";
 }
 
+inline std::string unparse(const Statement& statement);
+
 struct StatementUnparser {
     static std::string with(std::string_view word, const ExpressionPtr& expression) {
         return expression ? " " + std::string(word) + " " + unparse(expression) : "";
@@ -142,12 +145,57 @@ struct StatementUnparser {
         std::string result = node.label ? node.label->text + " = " : "";
         result += ExpressionUnparser{}(CallExpression{node.operator_name.text, {}, node.arguments});
         result += " : " + node.tag.text + with("when", node.condition) + with("weight", node.weight);
-        for (const OutputTag& output : node.outputs) {
-            result += &output == &node.outputs.front() ? " -> " : ", ";
+        return result + outputs(node.outputs);
+    }
+    std::string operator()(const PresetStatement& node) const {
+        return (node.is_default ? "default " : "set ") + to_text(node.path) + " = " + unparse(node.value) +
+               with("when", node.condition);
+    }
+    std::string operator()(const KeepStatement& node) const { return "keep " + to_text(node.path); }
+    std::string operator()(const RerollStatement& node) const {
+        const bool has_times = node.times_span.file != SourceSpan::no_file;
+        return "reroll " + to_text(node.path) + (has_times ? " x " + to_text(std::uint64_t{node.times}) : "");
+    }
+    std::string operator()(const ApplyStatement& node) const {
+        std::string result = "apply " + (node.name ? node.name->text + " = " : "");
+        result += ExpressionUnparser{}(CallExpression{node.operator_name.text, {}, node.arguments});
+        for (const ChoicePath& target : node.targets) {
+            result += (&target == &node.targets.front() ? " to " : ", ") + to_text(target);
+        }
+        return result + outputs(node.outputs);
+    }
+    std::string operator()(const SystemStatement& node) const {
+        return "system " + node.name.text + (node.parameters.empty() ? "" : parameters(node.parameters)) +
+               block(node.statements);
+    }
+    std::string operator()(const OperatorStatement& node) const {
+        std::string result = "operator " + node.name.text + parameters(node.parameters);
+        for (const Name& port : node.ports) result += (&port == &node.ports.front() ? " -> " : ", ") + port.text;
+        return result + block(node.statements);
+    }
+
+private:
+    static std::string outputs(const std::vector<OutputTag>& tags) {
+        std::string result;
+        for (const OutputTag& output : tags) {
+            result += &output == &tags.front() ? " -> " : ", ";
             if (!output.port.empty()) result += output.port + ": ";
             result += output.dropped ? "_" : output.tag.empty() ? "<>" : output.tag;
         }
         return result;
+    }
+    static std::string parameters(const std::vector<DefinitionParameter>& list) {
+        std::string result;
+        for (const DefinitionParameter& parameter : list) {
+            result += (result.empty() ? "" : ", ") + parameter.name.text;
+            if (parameter.value) result += " = " + unparse(parameter.value);
+        }
+        return "(" + result + ")";
+    }
+    static std::string block(const std::vector<Statement>& statements) {
+        std::string result = " {";
+        for (const Statement& statement : statements) result += " " + unparse(statement) + ";";
+        return result + " }";
     }
 };
 

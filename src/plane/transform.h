@@ -19,6 +19,11 @@ constexpr Transform compose(const Transform& outer, const Transform& inner) {
             outer.a * inner.e + outer.c * inner.f + outer.e, outer.b * inner.e + outer.d * inner.f + outer.f};
 }
 constexpr double determinant(const Transform& t) { return t.a * t.d - t.b * t.c; }
+// The map back; its determinant must not be zero.
+constexpr Transform inverse(const Transform& t) {
+    const double k = determinant(t);
+    return {t.d / k, -t.b / k, -t.c / k, t.a / k, (t.c * t.f - t.d * t.e) / k, (t.b * t.e - t.a * t.f) / k};
+}
 // Whether the map keeps all ratios of lengths (turns, reflections and even scalings, exactly).
 constexpr bool is_similarity(const Transform& t) { return (t.a == t.d && t.b == -t.c) || (t.a == -t.d && t.b == t.c); }
 

@@ -1,23 +1,13 @@
 #include "session/check.h"
 
+#include <algorithm>
+
 #include "language/style.h"
 #include "session/engines.h"
+#include "session/path_graph.h"
 
 namespace filigree {
 namespace {
-
-std::vector<std::string> start_tags(const CheckedDocument& checked, const Document& document) {
-    std::vector<std::string> tags;
-    if (checked.start) {
-        for (const StartGroup& group : checked.start->groups) tags.push_back(group.tag);
-        return tags;
-    }
-    for (const Statement& statement : document.statements) {
-        const auto* start = std::get_if<StartStatement>(&statement.node);
-        if (start != nullptr && !start->from) tags.push_back(start->tag.text);
-    }
-    return tags;
-}
 
 Diagnostic unknown_engine(const Settings& settings) {
     std::vector<std::string_view> names;
@@ -41,44 +31,107 @@ Diagnostics style_warnings(const Settings& settings, const tangle::Grammar& gram
     return warnings;
 }
 
-}  // namespace
+// The texts behind each embedded document, on their own: a system's required parameters get example values.
+CheckedDocument check_inside(const OpenedDocument& opened, const DocumentSite& site);
 
-CheckedDocument check_document(const OpenedDocument& opened) {
+DocumentSite example_site(const EmbeddableDocument& info) {
+    DocumentSite site;
+    for (const std::string& name : info.required) site.given.emplace_back(name, Value{Quantity{1, 0, false}, {}});
+    return site;
+}
+
+void check_embedded(const OpenedDocument& opened, CheckedDocument& checked) {
+    for (const EmbeddedDocument& inner : opened.embedded) {
+        if (!inner.opened) {
+            checked.embedded.push_back(nullptr);
+            continue;
+        }
+        auto one = std::make_shared<CheckedDocument>(check_inside(*inner.opened, example_site(inner.info)));
+        append(checked.diagnostics, one->diagnostics);
+        checked.embedded.push_back(std::move(one));
+    }
+}
+
+CheckedDocument check_inside(const OpenedDocument& opened, const DocumentSite& site) {
     CheckedDocument checked;
-    checked.diagnostics = opened.diagnostics;
     for (const Statement& statement : opened.document.statements) {
         if (const auto* rule = std::get_if<GroupRule>(&statement.node)) checked.rules.push_back(rule);
     }
     checked.graph = tangle::rule_graph(checked.rules);
+    const auto take = [&](Diagnostics problems) {
+        append(checked.diagnostics, at_first_source(std::move(problems), opened));
+    };
 
-    Result<Settings> settings = read_settings(opened.document);
-    append(checked.diagnostics, settings.diagnostics());
+    Result<Settings> settings = read_settings(opened.document, site);
+    take(settings.diagnostics());
+    check_embedded(opened, checked);
     if (!settings) return checked;
     checked.settings = std::move(*settings);
     if (checked.settings->engine != "tangle") {
-        if (!checked.settings->engine.empty()) checked.diagnostics.push_back(unknown_engine(*checked.settings));
+        if (!checked.settings->engine.empty()) take({unknown_engine(*checked.settings)});
         return checked;
     }
     if (checked.settings->symmetry) {
-        checked.diagnostics.push_back(
-            error("document.no-symmetry", "tangles know no symmetry", checked.settings->symmetry->span));
+        take({error("document.no-symmetry", "tangles know no symmetry", checked.settings->symmetry->span)});
     }
     // A missing file is said already; the start would only say it again.
     if (!has_errors(opened.diagnostics)) {
-        Result<PlaneStart> start = make_plane_start(*checked.settings, opened.document, opened.inputs);
-        append(checked.diagnostics, start.diagnostics());
+        Result<PlaneStart> start = make_plane_start(*checked.settings, opened.document, opened.inputs, site);
+        take(start.diagnostics());
         if (start) checked.start = std::move(*start);
     }
-    const std::vector<std::string> tags = start_tags(checked, opened.document);
-    Result<tangle::Grammar> grammar = tangle::read_grammar(*checked.settings, opened.document, tags);
-    append(checked.diagnostics, grammar.diagnostics());
-    append(checked.diagnostics, read_styles(*checked.settings, opened.document).diagnostics());
+    const std::vector<std::string> tags = start_tags(opened, *checked.settings);
+    Result<tangle::Grammar> grammar =
+        tangle::read_grammar(*checked.settings, opened.document, tags, embeddable(opened));
+    take(grammar.diagnostics());
+    take(read_styles(*checked.settings, opened.document).diagnostics());
     if (grammar) {
         checked.grammar = std::move(*grammar);
-        append(checked.diagnostics, style_warnings(*checked.settings, *checked.grammar));
+        take(style_warnings(*checked.settings, *checked.grammar));
+        take(check_presets(opened, checked));
     }
-    append(checked.diagnostics, tangle::graph_warnings(checked.graph, checked.rules, opened.document, tags));
+    std::vector<std::string> produced = tags;  // not by rules: by starts, and by steps that are applied by hand
+    for (const ApplyStatement* apply : checked.settings->applies) {
+        for (const OutputTag& output : apply->outputs) produced.push_back(output.tag);
+    }
+    take(tangle::graph_warnings(checked.graph, checked.rules, opened.document, produced));
     return checked;
+}
+
+}  // namespace
+
+CheckedDocument check_document(const OpenedDocument& opened, const Replay* replay) {
+    DocumentSite site;
+    site.replay = replay;
+    CheckedDocument checked = check_inside(opened, site);
+    Diagnostics all = opened.diagnostics;
+    append(all, std::move(checked.diagnostics));
+    checked.diagnostics = std::move(all);
+    return checked;
+}
+
+std::vector<std::string> start_tags(const OpenedDocument& opened, const Settings& settings) {
+    std::vector<std::string> tags;
+    bool has_layers = false;
+    for (const Statement& statement : opened.document.statements) {
+        const auto* start = std::get_if<StartStatement>(&statement.node);
+        if (start == nullptr) continue;
+        has_layers = has_layers || start->from;
+        if (!start->from) tags.push_back(start->tag.text);
+    }
+    if (!has_layers) return tags;
+    const Result<PlaneStart> start = make_plane_start(settings, opened.document, opened.inputs);
+    if (!start) return tags;
+    for (const StartGroup& group : start->groups) {
+        if (std::find(tags.begin(), tags.end(), group.tag) == tags.end()) tags.push_back(group.tag);
+    }
+    return tags;
+}
+
+EmbeddableDocuments embeddable(const OpenedDocument& opened) {
+    EmbeddableDocuments documents;
+    for (const EmbeddedDocument& inner : opened.embedded) documents.push_back(inner.info);
+    return documents;
 }
 
 }  // namespace filigree

@@ -2,6 +2,7 @@
 // grammar's graph (gTangle, section 5), which is there even beside errors.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "derivation/plane_start.h"
@@ -18,10 +19,17 @@ struct CheckedDocument {
     std::optional<PlaneStart> start;         // likewise
     std::vector<const GroupRule*> rules;     // as they stand in the document
     tangle::RuleGraph graph;
-    Diagnostics diagnostics;  // of opening and checking, errors and warnings
+    std::vector<std::shared_ptr<const CheckedDocument>> embedded;  // of OpenedDocument::embedded; null where that is
+    Diagnostics diagnostics;  // of opening and checking, errors and warnings, with those of embedded documents
 };
 
 // `opened` must outlive the result.
-CheckedDocument check_document(const OpenedDocument& opened);
+CheckedDocument check_document(const OpenedDocument& opened, const Replay* replay = nullptr);
+
+// The tags of the starts, in the order of their mention; those of an SVG's layers behind them.
+std::vector<std::string> start_tags(const OpenedDocument& opened, const Settings& settings);
+
+// What the document's `embed` may name.
+EmbeddableDocuments embeddable(const OpenedDocument& opened);
 
 }  // namespace filigree

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 
+#include "base/number_text.h"
+#include "base/random.h"
 #include "derivation/plane_start.h"
 #include "formats/files.h"
 #include "formats/svg_read.h"
+#include "language/check.h"
 #include "language/edit.h"
+#include "language/edit_presets.h"
 #include "language/parse.h"
 
 namespace filigree {
@@ -75,6 +79,211 @@ Parsed parse_with(const std::string& name, const std::string& text, InputSource&
     return parse_document(name, text, [&](std::string_view included) { return source.load(included); });
 }
 
+// --- embedded documents ------------------------------------------------------------------------------------------
+
+// The call's arguments that may name the document to embed.
+void find_named(const std::vector<CallArgument>& arguments, std::vector<const Expression*>& found) {
+    for (const CallArgument& argument : arguments) {
+        const auto* key = argument.key ? std::get_if<NameReference>(&argument.key->node) : nullptr;
+        if (argument.key && (key == nullptr || key->name != "document")) continue;
+        for (const Alternative& alternative : alternatives_of(*argument.value)) found.push_back(alternative.expression);
+        return;
+    }
+}
+
+// Every expression behind `embed` that names a document, in the order of the statements.
+std::vector<const Expression*> embeddings(const std::vector<Statement>& statements) {
+    std::vector<const Expression*> found;
+    for (const Statement& statement : statements) {
+        if (const auto* rule = std::get_if<GroupRule>(&statement.node)) {
+            if (rule->operator_name.text == "embed") find_named(rule->arguments, found);
+        } else if (const auto* apply = std::get_if<ApplyStatement>(&statement.node)) {
+            if (apply->operator_name.text == "embed") find_named(apply->arguments, found);
+        } else if (const auto* macro = std::get_if<OperatorStatement>(&statement.node)) {
+            for (const Expression* inner : embeddings(macro->statements)) found.push_back(inner);
+        }
+    }
+    return found;
+}
+
+std::string folder_of(const std::string& name) {
+    const fs::path folder = fs::path(name).parent_path();
+    return folder.empty() ? "" : folder.generic_string() + "/";
+}
+
+// The names of a document's parameters.
+std::vector<std::string> parameters_of(const Document& document) {
+    std::vector<std::string> names;
+    for (const Statement& statement : document.statements) {
+        if (const auto* param = std::get_if<ParamStatement>(&statement.node)) names.push_back(param->name.text);
+    }
+    return names;
+}
+
+// Opens the documents inside a document, and those inside them. Each file is opened once for each document that embeds
+// it; a document that is inside itself is an error, as are more than max_embedding_depth of them.
+class EmbeddedOpener {
+public:
+    EmbeddedOpener(InputSource& source, OpenedDocument& outermost) : source_(source), outermost_(outermost) {}
+
+    // `folder`: that of the document, below that of the outermost one. `around`: the systems that it may name.
+    void open_inside(OpenedDocument& opened, const std::string& folder, std::vector<EmbeddedDocument> around) {
+        opened.embedded = std::move(around);
+        for (const Statement& statement : opened.document.statements) {
+            if (const auto* system = std::get_if<SystemStatement>(&statement.node)) {
+                open_system(opened, *system, folder);
+            }
+        }
+        for (const Expression* named : embeddings(opened.document.statements)) {
+            if (const auto* file = std::get_if<TextLiteral>(&named->node)) {
+                open_file(opened, file->text, named->span, folder);
+            }
+        }
+    }
+
+private:
+    void report(Diagnostic problem, const OpenedDocument& inside) {
+        append(outermost_.diagnostics, at_first_source({std::move(problem)}, inside));
+    }
+
+    // A system is a document over the same texts; its parameters with a default are `param`s of it.
+    void open_system(OpenedDocument& outer, const SystemStatement& system, const std::string& folder) {
+        for (const EmbeddedDocument& known : outer.embedded) {
+            if (known.info.is_file || known.info.name != system.name.text) continue;
+            report(error("embed.repeated-system", "the system '" + system.name.text + "' is already defined",
+                         system.name.span),
+                   outer);
+            return;
+        }
+        auto inner = std::make_shared<OpenedDocument>();
+        inner->name = system.name.text;
+        inner->document.sources = outer.document.sources;
+        inner->document.units = outer.document.units;
+        if (system.unit) inner->document.units[system.name.span.file] = *system.unit;
+        EmbeddableDocument info{system.name.text, false, {}, {}, {}};
+        for (const DefinitionParameter& parameter : system.parameters) {
+            info.parameters.push_back(parameter.name.text);
+            if (!parameter.value) {
+                info.required.push_back(parameter.name.text);
+                continue;
+            }
+            inner->document.statements.push_back(
+                {parameter.name.span, ParamStatement{parameter.name, parameter.value, nullptr, nullptr, {}}});
+        }
+        for (const Statement& statement : system.statements) inner->document.statements.push_back(statement);
+        for (const std::string& name : parameters_of(inner->document)) {
+            if (std::find(info.parameters.begin(), info.parameters.end(), name) == info.parameters.end()) {
+                info.parameters.push_back(name);
+            }
+        }
+        inner->inputs = outer.inputs;
+        inner->first_source = outer.first_source;
+        load_start_files(*inner, folder);
+        if (is_too_deep(outer, system.name.span)) return;
+        // It may name the systems that stand before it, so no two can embed each other; but not itself.
+        ++depth_;
+        open_inside(*inner, folder, outer.embedded);
+        --depth_;
+        const Expression* itself = nullptr;
+        for (const Expression* named : embeddings(inner->document.statements)) {
+            const auto* name = std::get_if<NameReference>(&named->node);
+            if (name != nullptr && name->name == system.name.text) itself = named;
+        }
+        if (itself != nullptr) {
+            report(error("embed.cycle", "the system '" + system.name.text + "' embeds itself", itself->span), outer);
+            inner->embedded.push_back({info, nullptr});
+        }
+        const std::string& text = outer.document.sources[system.name.span.file].text;
+        info.fingerprint =
+            fingerprint(*inner, text.substr(system.name.span.begin, last_byte(system) - system.name.span.begin));
+        outer.embedded.push_back({std::move(info), std::move(inner)});
+    }
+    static std::uint32_t last_byte(const SystemStatement& system) {
+        return system.statements.empty() ? system.name.span.end : system.statements.back().span.end;
+    }
+
+    void open_file(OpenedDocument& outer, const std::string& name, SourceSpan span, const std::string& folder) {
+        for (const EmbeddedDocument& known : outer.embedded) {
+            if (known.info.is_file && known.info.name == name) return;
+        }
+        const std::string full = fs::path(folder + name).lexically_normal().generic_string();
+        if (std::find(open_files_.begin(), open_files_.end(), full) != open_files_.end()) {
+            report(error("embed.cycle", "the document '" + name + "' would lie inside itself", span), outer);
+            outer.embedded.push_back({{name, true, {}, {}, {}}, nullptr});
+            return;
+        }
+        if (is_too_deep(outer, span)) return;
+        Result<std::string> text = source_.load(full);
+        if (!text) {
+            for (Diagnostic reason : text.diagnostics()) {
+                reason.span = span;
+                report(std::move(reason), outer);
+            }
+            outer.embedded.push_back({{name, true, {}, {}, {}}, nullptr});
+            return;
+        }
+        auto inner = std::make_shared<OpenedDocument>();
+        inner->name = name;
+        inner->first_source = static_cast<std::uint32_t>(outermost_.sources.size());
+        const std::string inner_folder = folder_of(full);
+        Inputs included;
+        Parsed parsed = parse_document(full, *text, [&](std::string_view other) {
+            Result<std::string> bytes = source_.load(inner_folder + std::string(other));
+            if (bytes) included.push_back({std::string(other), *bytes});
+            return bytes;
+        });
+        inner->document = std::move(parsed.document);
+        inner->inputs = std::move(included);
+        append(outermost_.sources, inner->document.sources);
+        for (Diagnostic& problem : parsed.diagnostics) report(std::move(problem), *inner);
+        load_start_files(*inner, inner_folder);
+        open_files_.push_back(full);
+        ++depth_;
+        open_inside(*inner, inner_folder, {});
+        --depth_;
+        open_files_.pop_back();
+        EmbeddableDocument info{name, true, parameters_of(inner->document), {}, fingerprint(*inner, *text)};
+        outer.embedded.push_back({std::move(info), std::move(inner)});
+    }
+
+    static void append(Sources& to, const Sources& from) { to.insert(to.end(), from.begin(), from.end()); }
+    static void append(Diagnostics& to, Diagnostics from) { filigree::append(to, std::move(from)); }
+
+    bool is_too_deep(const OpenedDocument& outer, SourceSpan span) {
+        if (depth_ < max_embedding_depth) return false;
+        report(error("embed.too-deep",
+                     "documents lie inside documents more than " + std::to_string(max_embedding_depth) + " deep", span),
+               outer);
+        return true;
+    }
+
+    void load_start_files(OpenedDocument& opened, const std::string& folder) {
+        for (const Name& file : start_files(opened.document)) {
+            if (find_input(opened.inputs, file.text) != nullptr) continue;
+            const Result<std::string> bytes = source_.load(folder + file.text);
+            if (bytes) opened.inputs.push_back({file.text, *bytes});
+            for (Diagnostic reason : bytes.diagnostics()) {
+                reason.span = file.span;
+                report(std::move(reason), opened);
+            }
+        }
+    }
+
+    static std::string fingerprint(const OpenedDocument& opened, const std::string& text) {
+        std::string all = text + "\n";
+        for (const Input& input : opened.inputs) {
+            all += input.name + " " + std::to_string(input.bytes.size()) + " " + to_hex(hash_text(input.bytes)) + "\n";
+        }
+        for (const EmbeddedDocument& inner : opened.embedded) all += inner.info.fingerprint + "\n";
+        return all;
+    }
+
+    InputSource& source_;
+    OpenedDocument& outermost_;
+    std::vector<std::string> open_files_;  // those around the place, outermost first
+    std::uint32_t depth_ = 0;
+};
+
 OpenedDocument opened_from(std::string name, const std::string& shown_name, std::string text, InputSource& source,
                            const OpenOptions& options) {
     OpenedDocument opened;
@@ -87,9 +296,9 @@ OpenedDocument opened_from(std::string name, const std::string& shown_name, std:
         }
         parsed = parse_with(shown_name, *edited, source);
     };
-    for (const auto& [parameter, value] : options.settings) {
+    for (const auto& [path, value] : options.settings) {
         if (has_errors(parsed.diagnostics)) break;
-        edit(with_parameter(parsed.document, parameter, value));
+        edit(with_preset(parsed.document, path, value));
     }
     if (options.seed && !has_errors(parsed.diagnostics)) edit(with_seed(parsed.document, *options.seed));
     opened.document = std::move(parsed.document);
@@ -101,6 +310,9 @@ OpenedDocument opened_from(std::string name, const std::string& shown_name, std:
             opened.diagnostics.push_back(std::move(reason));
         }
     }
+    opened.inputs = source.loaded();
+    opened.sources = opened.document.sources;
+    EmbeddedOpener(source, opened).open_inside(opened, "", {});
     opened.inputs = source.loaded();
     return opened;
 }
@@ -129,10 +341,13 @@ Result<OpenedDocument> open_document(const fs::path& file, const OpenOptions& op
         OpenedDocument opened = opened_from(inside.document.name, file.string() + ":" + inside.document.name,
                                             inside.document.bytes, source, options);
         opened.files = {file};
+        opened.carries_inputs = true;
         return opened;
     }
     InputSource source(file.parent_path(), options.allowed_folders);
     OpenedDocument opened = opened_from(file.filename().string(), file.string(), std::move(*text), source, options);
+    opened.allowed_folders = options.allowed_folders;
+    opened.folder = file.parent_path();
     opened.files = {file};
     opened.files.insert(opened.files.end(), source.files().begin(), source.files().end());
     return opened;
@@ -141,7 +356,29 @@ Result<OpenedDocument> open_document(const fs::path& file, const OpenOptions& op
 OpenedDocument open_text(std::string name, std::string text, Inputs inputs) {
     InputSource source(std::move(inputs));
     const std::string shown = name;
-    return opened_from(std::move(name), shown, std::move(text), source, {});
+    OpenedDocument opened = opened_from(std::move(name), shown, std::move(text), source, {});
+    opened.carries_inputs = true;
+    return opened;
+}
+
+OpenedDocument reopened(const OpenedDocument& opened, std::string text) {
+    InputSource source =
+        opened.carries_inputs ? InputSource(opened.inputs) : InputSource(opened.folder, opened.allowed_folders);
+    const std::string shown = opened.document.sources.at(0).name;
+    OpenedDocument again = opened_from(opened.name, shown, std::move(text), source, {});
+    again.allowed_folders = opened.allowed_folders;
+    again.folder = opened.folder;
+    again.carries_inputs = opened.carries_inputs;
+    again.files = {opened.files.begin(), opened.files.begin() + (opened.files.empty() ? 0 : 1)};
+    again.files.insert(again.files.end(), source.files().begin(), source.files().end());
+    return again;
+}
+
+Diagnostics at_first_source(Diagnostics diagnostics, const OpenedDocument& opened) {
+    for (Diagnostic& diagnostic : diagnostics) {
+        if (diagnostic.span.file != SourceSpan::no_file) diagnostic.span.file += opened.first_source;
+    }
+    return diagnostics;
 }
 
 CarriedDocument carried(const OpenedDocument& opened) {

@@ -4,11 +4,61 @@
 
 #include "engines/tangle/derive.h"
 #include "engines/tangle/verify.h"
+#include "session/embed.h"
 
 namespace filigree {
+namespace {
+
+DocumentSite top_site(const RunOptions& options) {
+    DocumentSite site;
+    site.replay = options.replay;
+    return site;
+}
+
+std::string_view keyword_of(PresetKind kind) {
+    switch (kind) {
+        case PresetKind::set:
+            return "set";
+        case PresetKind::fallback:
+            return "default";
+        case PresetKind::keep:
+            return "keep";
+        case PresetKind::reroll:
+            return "reroll";
+        case PresetKind::apply:
+            return "apply";
+    }
+    return "";
+}
+
+// The document's own presets come first in the tangle's list: those of embedded documents are checked as possible.
+std::vector<UnmatchedPreset> unmatched_presets(const OpenedDocument& opened, const CheckedDocument& checked,
+                                               const Run& run) {
+    const PresetWalk walk = begin_walk({}, opened.document, checked.settings->globals, checked.settings->seed);
+    std::vector<UnmatchedPreset> unmatched;
+    for (std::size_t i = 0; i < walk.presets.all.size(); ++i) {
+        const bool met = run.tangle.met[i] != 0 || (i < run.picture.met.size() && run.picture.met[i] != 0);
+        if (met) continue;
+        const Preset& preset = walk.presets.all[i];
+        unmatched.push_back({std::string(keyword_of(preset.kind)), to_text(*preset.path), preset.path->span});
+    }
+    return unmatched;
+}
+
+}  // namespace
 
 double now_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+Result<tangle::Tangle> derive_document(const OpenedDocument& opened, const CheckedDocument& checked,
+                                       const RunOptions& options, Executor& executor, const Job& job) {
+    tangle::DeriveOptions derive;
+    derive.steps = options.steps;
+    derive.previous = options.previous;
+    derive.site = top_site(options);
+    derive.embed = embed_function(opened, job);
+    return tangle::derive(*checked.grammar, *checked.start, *checked.settings, opened.document, derive, executor, job);
 }
 
 Result<Run> run_document(const OpenedDocument& opened, const CheckedDocument& checked, const RunOptions& options,
@@ -16,19 +66,26 @@ Result<Run> run_document(const OpenedDocument& opened, const CheckedDocument& ch
     Run run;
     const Settings& settings = *checked.settings;
     const double begin = now_seconds();
-    Result<tangle::Tangle> tangle =
-        tangle::derive(*checked.grammar, *checked.start, settings, opened.document, {options.steps}, executor, job);
+    Result<tangle::Tangle> tangle = derive_document(opened, checked, options, executor, job);
     if (!tangle) return tangle.diagnostics();
     run.tangle = std::move(*tangle);
     const double derived = now_seconds();
     run.times.derive = derived - begin;
 
-    Result<Drawing> drawing = tangle::draw(run.tangle, *checked.grammar, settings, opened.document, options.colour_by);
-    if (!drawing) return drawing.diagnostics();
-    append(run.diagnostics, drawing.diagnostics());
-    run.drawing = std::move(*drawing);
+    Result<tangle::Picture> picture =
+        tangle::draw(run.tangle, *checked.grammar, settings, opened.document, {options.colour_by, top_site(options)});
+    if (!picture) return picture.diagnostics();
+    append(run.diagnostics, picture.diagnostics());
+    run.picture = std::move(*picture);
     run.times.draw = now_seconds() - derived;
 
+    run.unmatched = unmatched_presets(opened, checked, run);
+    for (const UnmatchedPreset& preset : run.unmatched) {
+        run.diagnostics.push_back(warning(
+            "preset.unmatched",
+            "'" + preset.path + "' is nowhere in this derivation, so the '" + preset.statement + "' does nothing now",
+            preset.span));
+    }
     if (options.verify) {
         report(job, "verify", -1);
         run.broken = tangle::broken_invariants(run.tangle);

@@ -20,22 +20,36 @@ struct RunOptions {
     std::optional<std::uint64_t> steps;  // a prefix of the derivation
     tangle::ColourBy colour_by = tangle::ColourBy::style;
     bool verify = false;
+    const tangle::Tangle* previous = nullptr;  // of an earlier state of the document: what still holds is taken over
+    const Replay* replay = nullptr;            // choices to be taken instead of drawing
 };
 
 struct RunTimes {  // seconds
     double parse = 0, derive = 0, draw = 0, write = 0, total = 0;
 };
 
+// A preset that met nothing in this derivation, though it is possible.
+struct UnmatchedPreset {
+    std::string statement;  // "set", "keep", ...
+    std::string path;
+    SourceSpan span;
+};
+
 struct Run {
     tangle::Tangle tangle;
-    Drawing drawing;
-    Diagnostics diagnostics;          // warnings
+    tangle::Picture picture;
+    Diagnostics diagnostics;  // warnings
+    std::vector<UnmatchedPreset> unmatched;
     std::vector<std::string> broken;  // invariants that do not hold; empty if not verified
     bool verified = false;
     RunTimes times;
 };
 
-// `checked` must hold no errors.
+// The derivation alone. `checked` must hold no errors.
+Result<tangle::Tangle> derive_document(const OpenedDocument& opened, const CheckedDocument& checked,
+                                       const RunOptions& options, Executor& executor, const Job& job);
+
+// Likewise.
 Result<Run> run_document(const OpenedDocument& opened, const CheckedDocument& checked, const RunOptions& options,
                          Executor& executor, const Job& job);
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
-#include "engines/tangle/derive.h"
+#include "engines/tangle/paths.h"
 #include "engines/tangle/verify.h"
 
 namespace filigree {
@@ -36,13 +36,13 @@ Json arguments_json(const Arguments& arguments) {
     return json;
 }
 
-Json diagnostic_json(const Diagnostic& diagnostic, const Document& document) {
+Json diagnostic_json(const Diagnostic& diagnostic, const Sources& sources) {
     Json json;
     json["severity"] = diagnostic.severity == Severity::error ? "error" : "warning";
     json["code"] = diagnostic.code;
     json["message"] = diagnostic.message;
-    if (diagnostic.span.file < document.sources.size()) {
-        const SourceFile& source = document.sources[diagnostic.span.file];
+    if (diagnostic.span.file < sources.size()) {
+        const SourceFile& source = sources[diagnostic.span.file];
         const LineColumn place = line_column(source.text, diagnostic.span.begin);
         json["file"] = source.name;
         json["line"] = place.line;
@@ -71,6 +71,14 @@ std::string stats_json(const OpenedDocument& opened, const CheckedDocument& chec
         marks += static_cast<std::uint64_t>(std::count_if(group.shapes.begin(), group.shapes.end(),
                                                           [](const tangle::Shape& shape) { return shape.is_mark; }));
     }
+    std::uint64_t documents = 0;
+    for (const tangle::Step& step : run.tangle.steps) {
+        for (const auto& embedded : step.embedded) {
+            if (!embedded) continue;
+            ++documents;
+            elements += embedded->elements;
+        }
+    }
     const tangle::Areas areas = tangle::areas(run.tangle);
     Json json;
     json["document"] = opened.name;
@@ -94,9 +102,11 @@ std::string stats_json(const OpenedDocument& opened, const CheckedDocument& chec
         json["verified"] = nullptr;
     }
     json["unmatched"] = Json::array();
+    for (const UnmatchedPreset& preset : run.unmatched) json["unmatched"].push_back(preset.path);
+    json["choices"] = run.tangle.choices.size() + run.picture.choices.size();
     std::uint64_t vertices = 0;
     for (const auto& geometry : run.tangle.geometry) vertices += geometry->points.size();
-    json["tangle"] = {{"marks", marks}, {"vertices", vertices}};
+    json["tangle"] = {{"marks", marks}, {"vertices", vertices}, {"embedded", documents}};
     return dumped(json);
 }
 
@@ -171,7 +181,8 @@ std::string check_text(const CheckedDocument& checked, const Document& document)
     return text;
 }
 
-std::string check_json(const CheckedDocument& checked, const Document& document) {
+std::string check_json(const OpenedDocument& opened, const CheckedDocument& checked) {
+    const Document& document = opened.document;
     Json json;
     json["ok"] = !has_errors(checked.diagnostics);
     json["nodes"] = checked.rules.size();
@@ -190,7 +201,7 @@ std::string check_json(const CheckedDocument& checked, const Document& document)
     }
     json["diagnostics"] = Json::array();
     for (const Diagnostic& diagnostic : checked.diagnostics) {
-        json["diagnostics"].push_back(diagnostic_json(diagnostic, document));
+        json["diagnostics"].push_back(diagnostic_json(diagnostic, opened.sources));
     }
     return dumped(json);
 }

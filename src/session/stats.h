@@ -15,7 +15,7 @@ std::string steps_json(const CheckedDocument& checked, const Document& document,
 
 // The grammar's graph: nodes, edges, longest path, and each rule with the rules that may follow it.
 std::string check_text(const CheckedDocument& checked, const Document& document);
-std::string check_json(const CheckedDocument& checked, const Document& document);
+std::string check_json(const OpenedDocument& opened, const CheckedDocument& checked);
 
 // Peak resident memory of this process so far.
 std::uint64_t peak_memory_bytes();

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "engines/tangle/draw.h"
+#include "session/edit_document.h"
 #include "session/open.h"
+#include "session/variations.h"
 
 namespace filigree {
 
@@ -17,11 +19,13 @@ struct RenderCommand {
     std::vector<std::filesystem::path> outputs;
     OpenOptions open;
     std::optional<std::uint64_t> steps;
-    std::size_t threads = 0;      // 0: as many as the machine has
-    std::filesystem::path stats;  // empty: none
+    std::size_t threads = 0;        // 0: as many as the machine has
+    std::filesystem::path stats;    // empty: none
+    std::filesystem::path choices;  // likewise
     tangle::ColourBy colour_by = tangle::ColourBy::style;
     double dpi = 192;  // of PNG
     bool verify = false;
+    bool strict = false;
     bool lean = false;
     bool watch = false;
 };
@@ -42,6 +46,43 @@ struct DeriveCommand {
     bool json = false;
 };
 int run_derive(const DeriveCommand& command);
+
+struct ChoicesCommand {
+    std::filesystem::path document;
+    OpenOptions open;
+    std::size_t threads = 0;
+    std::filesystem::path output;  // empty: standard output
+};
+int run_choices(const ChoicesCommand& command);
+
+struct PickCommand {
+    std::filesystem::path document;
+    OpenOptions open;
+    std::string at;  // "X,Y" in the document's unit
+    bool json = false;
+};
+int run_pick(const PickCommand& command);
+
+// set, keep, reroll and apply
+struct EditCommand {
+    std::filesystem::path document;
+    OpenOptions open;
+    std::vector<DocumentEdit> edits;
+    std::filesystem::path output;  // empty: standard output
+    bool json = false;
+};
+int run_edit(const EditCommand& command);
+
+struct VariationsCommand {
+    std::filesystem::path document;
+    OpenOptions open;
+    VariationOptions options;
+    std::filesystem::path output;
+    std::uint32_t take = 0;  // the neighbour whose document is written; 0: all on a sheet
+    std::size_t threads = 0;
+    double dpi = 192;
+};
+int run_variations(const VariationsCommand& command);
 
 struct DescribeCommand {
     std::string name;  // empty with `markdown` or `json`

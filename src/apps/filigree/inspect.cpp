@@ -3,7 +3,6 @@
 
 #include "apps/filigree/commands.h"
 #include "apps/filigree/terminal.h"
-#include "engines/tangle/derive.h"
 #include "session/describe.h"
 #include "session/run.h"
 #include "session/stats.h"
@@ -15,11 +14,11 @@ int run_check(const CheckCommand& command) {
     if (!opened) return print_diagnostics(opened.diagnostics(), {});
     const CheckedDocument checked = check_document(*opened);
     if (command.json) {
-        std::cout << check_json(checked, opened->document);
+        std::cout << check_json(*opened, checked);
         return exit_status(checked.diagnostics);
     }
     std::cout << check_text(checked, opened->document) << std::flush;
-    return print_diagnostics(checked.diagnostics, opened->document.sources);
+    return print_diagnostics(checked.diagnostics, opened->sources);
 }
 
 int run_derive(const DeriveCommand& command) {
@@ -27,11 +26,12 @@ int run_derive(const DeriveCommand& command) {
     const Job job = terminal_job();
     const Result<OpenedDocument> opened = open_document(command.document, command.open);
     if (!opened) return print_diagnostics(opened.diagnostics(), {});
-    const Sources& sources = opened->document.sources;
+    const Sources& sources = opened->sources;
     const CheckedDocument checked = check_document(*opened);
     if (const int status = print_diagnostics(checked.diagnostics, sources); status != 0) return status;
-    const Result<tangle::Tangle> tangle = tangle::derive(*checked.grammar, *checked.start, *checked.settings,
-                                                         opened->document, {command.steps}, *executor, job);
+    RunOptions options;
+    options.steps = command.steps;
+    const Result<tangle::Tangle> tangle = derive_document(*opened, checked, options, *executor, job);
     const int status = print_diagnostics(tangle.diagnostics(), sources);
     if (!tangle) return status;
     std::cout << (command.json ? steps_json(checked, opened->document, *tangle)

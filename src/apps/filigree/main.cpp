@@ -2,12 +2,27 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <iostream>
+#include <map>
+#include <memory>
 
 #include "apps/filigree/commands.h"
+#include "language/parse.h"
 
 namespace {
 
 using filigree::OpenOptions;
+
+constexpr const char* document_help = "a .fil file, or an SVG that Filigree wrote";
+
+// What the chosen command does.
+using Run = std::function<int()>;
+
+// Adds a command; `prepare` reads what was given and returns the work. Options live as long as the command.
+template <class Options>
+void when_chosen(CLI::App& command, Run& run, std::shared_ptr<Options> options,
+                 std::function<Run(Options& options)> prepare) {
+    command.callback([&run, options, prepare] { run = prepare(*options); });
+}
 
 // Options of every command that opens a document.
 struct OpenFlags {
@@ -19,7 +34,7 @@ struct OpenFlags {
 
 void add_open_flags(CLI::App& command, OpenFlags& flags) {
     flags.seed_option = command.add_option("--seed", flags.seed, "another seed than the document's");
-    command.add_option("--set", flags.settings, "another value for a parameter: NAME=VALUE")
+    command.add_option("--set", flags.settings, "another value for a parameter or a choice: PATH=VALUE")
         ->take_all()
         ->expected(1)
         ->allow_extra_args(false);
@@ -29,18 +44,282 @@ void add_open_flags(CLI::App& command, OpenFlags& flags) {
         ->allow_extra_args(false);
 }
 
+std::pair<std::string, std::string> assignment(const std::string& option, const std::string& text) {
+    const filigree::Result<filigree::Assignment> split = filigree::split_assignment(text);
+    if (!split) throw CLI::ValidationError(option, split.diagnostics().front().message);
+    return {split->path, split->value};
+}
+
 OpenOptions open_options(const OpenFlags& flags) {
     OpenOptions options;
     if (flags.seed_option->count() > 0) options.seed = flags.seed;
-    for (const std::string& setting : flags.settings) {
-        const std::size_t equals = setting.find('=');
-        if (equals == std::string::npos || equals == 0) {
-            throw CLI::ValidationError("--set", "'" + setting + "' is not of the form NAME=VALUE");
-        }
-        options.settings.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
-    }
+    for (const std::string& setting : flags.settings) options.settings.push_back(assignment("--set", setting));
     options.allowed_folders.assign(flags.folders.begin(), flags.folders.end());
     return options;
+}
+
+void add_threads(CLI::App& command, std::size_t& threads) {
+    command.add_option("--threads", threads, "how many threads work; the result is the same")
+        ->check(CLI::Range(1, 1024));
+}
+
+// --- commands that only look ---------------------------------------------------------------------------------------
+
+void add_render(CLI::App& app, Run& run) {
+    struct Options {
+        filigree::RenderCommand command;
+        OpenFlags flags;
+        std::uint64_t steps = 0;
+        CLI::Option* steps_option = nullptr;
+    };
+    const auto options = std::make_shared<Options>();
+    filigree::RenderCommand& render = options->command;
+    CLI::App& command = *app.add_subcommand("render", "derive, draw and write a document");
+    command.add_option("document", render.document, document_help)->required();
+    command
+        .add_option("-o,--output", render.outputs,
+                    "what to write; its ending (.svg, .png) is the format; may be repeated")
+        ->required()
+        ->take_all()
+        ->expected(1)
+        ->allow_extra_args(false);
+    add_open_flags(command, options->flags);
+    command.add_option("--choices", render.choices, "take these choices, as `filigree choices` wrote them");
+    options->steps_option = command.add_option("--steps", options->steps, "stop after so many steps");
+    add_threads(command, render.threads);
+    command.add_option("--stats", render.stats, "write figures about the run, as JSON");
+    command.add_option("--colour-by", render.colour_by, "colour shapes by what they are: tag, group or step")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, filigree::tangle::ColourBy>{{"tag", filigree::tangle::ColourBy::tag},
+                                                              {"group", filigree::tangle::ColourBy::group},
+                                                              {"step", filigree::tangle::ColourBy::step}}));
+    command.add_option("--dpi", render.dpi, "dots per inch of a PNG")
+        ->check(CLI::Range(1.0, 9600.0))
+        ->capture_default_str();
+    command.add_flag("--verify", render.verify, "check the result's invariants");
+    command.add_flag("--strict", render.strict, "refuse presets that meet nothing in this derivation");
+    command.add_flag("--lean", render.lean, "a smaller SVG, without what made each shape");
+    command.add_flag("--watch", render.watch, "render again whenever a file changes");
+    when_chosen<Options>(command, run, options, [](Options& given) -> Run {
+        given.command.open = open_options(given.flags);
+        if (given.steps_option->count() > 0) given.command.steps = given.steps;
+        return [&given] { return filigree::run_render(given.command); };
+    });
+}
+
+void add_check(CLI::App& app, Run& run) {
+    struct Options {
+        filigree::CheckCommand command;
+        OpenFlags flags;
+    };
+    const auto options = std::make_shared<Options>();
+    CLI::App& command = *app.add_subcommand("check", "say what is wrong with a document, and show its grammar's graph");
+    command.add_option("document", options->command.document, document_help)->required();
+    add_open_flags(command, options->flags);
+    command.add_flag("--json", options->command.json, "as JSON");
+    when_chosen<Options>(command, run, options, [](Options& given) -> Run {
+        given.command.open = open_options(given.flags);
+        return [&given] { return filigree::run_check(given.command); };
+    });
+}
+
+void add_derive(CLI::App& app, Run& run) {
+    struct Options {
+        filigree::DeriveCommand command;
+        OpenFlags flags;
+        std::uint64_t steps = 0;
+        std::string format = "text";
+        CLI::Option* steps_option = nullptr;
+    };
+    const auto options = std::make_shared<Options>();
+    CLI::App& command = *app.add_subcommand("derive", "list the steps of a derivation");
+    command.add_option("document", options->command.document, document_help)->required();
+    add_open_flags(command, options->flags);
+    options->steps_option = command.add_option("--steps", options->steps, "stop after so many steps");
+    add_threads(command, options->command.threads);
+    command.add_option("--format", options->format, "text or json")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->capture_default_str();
+    when_chosen<Options>(command, run, options, [](Options& given) -> Run {
+        given.command.open = open_options(given.flags);
+        if (given.steps_option->count() > 0) given.command.steps = given.steps;
+        given.command.json = given.format == "json";
+        return [&given] { return filigree::run_derive(given.command); };
+    });
+}
+
+void add_choices(CLI::App& app, Run& run) {
+    struct Options {
+        filigree::ChoicesCommand command;
+        OpenFlags flags;
+    };
+    const auto options = std::make_shared<Options>();
+    CLI::App& command = *app.add_subcommand("choices", "list every choice that was made, as JSON");
+    command.add_option("document", options->command.document, document_help)->required();
+    add_open_flags(command, options->flags);
+    add_threads(command, options->command.threads);
+    command.add_option("-o,--output", options->command.output, "where to write; else standard output");
+    when_chosen<Options>(command, run, options, [](Options& given) -> Run {
+        given.command.open = open_options(given.flags);
+        return [&given] { return filigree::run_choices(given.command); };
+    });
+}
+
+void add_pick(CLI::App& app, Run& run) {
+    struct Options {
+        filigree::PickCommand command;
+        OpenFlags flags;
+    };
+    const auto options = std::make_shared<Options>();
+    CLI::App& command = *app.add_subcommand("pick", "the element at a point, and the steps that made it");
+    command.add_option("document", options->command.document, document_help)->required();
+    command.add_option("--at", options->command.at, "the point: X,Y in the document's unit, y downwards")->required();
+    add_open_flags(command, options->flags);
+    command.add_flag("--json", options->command.json, "as JSON");
+    when_chosen<Options>(command, run, options, [](Options& given) -> Run {
+        given.command.open = open_options(given.flags);
+        return [&given] { return filigree::run_pick(given.command); };
+    });
+}
+
+void add_variations(CLI::App& app, Run& run) {
+    struct Options {
+        filigree::VariationsCommand command;
+        OpenFlags flags;
+    };
+    const auto options = std::make_shared<Options>();
+    filigree::VariationsCommand& variations = options->command;
+    CLI::App& command = *app.add_subcommand("variations", "neighbours of a document on a contact sheet");
+    command.add_option("document", variations.document, document_help)->required();
+    command.add_option("-o,--output", variations.output, "the sheet (.svg, .png), or with --take the document")
+        ->required();
+    command.add_option("--count", variations.options.count, "how many")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command.add_option("--distance", variations.options.distance, "the share of the choices that is drawn again, 0..1")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+    command.add_option("--first", variations.options.first, "number of the first, for others than those before")
+        ->check(CLI::Range(1, 1'000'000))
+        ->capture_default_str();
+    command.add_option("--take", variations.take, "write the document of this neighbour instead of a sheet")
+        ->check(CLI::Range(1, 1'000'000));
+    add_threads(command, variations.threads);
+    command.add_option("--dpi", variations.dpi, "dots per inch of a PNG")
+        ->check(CLI::Range(1.0, 9600.0))
+        ->capture_default_str();
+    add_open_flags(command, options->flags);
+    when_chosen<Options>(command, run, options, [](Options& given) -> Run {
+        given.command.open = open_options(given.flags);
+        return [&given] { return filigree::run_variations(given.command); };
+    });
+}
+
+// --- commands that edit --------------------------------------------------------------------------------------------
+
+struct EditFlags {
+    filigree::EditCommand command;
+    std::vector<std::string> words;  // paths, or PATH=VALUE
+    std::vector<std::string> folders;
+    std::string call, tags;
+    std::uint32_t times = 1;
+    bool remove = false;
+};
+
+CLI::App& add_edit(CLI::App& app, const char* name, const char* help, EditFlags& flags) {
+    CLI::App& command = *app.add_subcommand(name, help);
+    command.add_option("document", flags.command.document, document_help)->required();
+    command.add_option("-o,--output", flags.command.output, "where to write the new document; else standard output");
+    command.add_flag("--json", flags.command.json, "what was done and the new text, as JSON");
+    command.add_option("--allow", flags.folders, "a folder that the document may read too")
+        ->take_all()
+        ->expected(1)
+        ->allow_extra_args(false);
+    return command;
+}
+
+Run edit_run(EditFlags& flags) {
+    flags.command.open.allowed_folders.assign(flags.folders.begin(), flags.folders.end());
+    return [&flags] { return filigree::run_edit(flags.command); };
+}
+
+void add_set(CLI::App& app, Run& run) {
+    const auto flags = std::make_shared<EditFlags>();
+    CLI::App& command = add_edit(app, "set", "pin or restrict choices and parameters in a document", *flags);
+    command.add_option("values", flags->words, "PATH=VALUE")->required();
+    command.add_flag("--default", flags->remove, "as `default`: for where is_random is false");
+    when_chosen<EditFlags>(command, run, flags, [](EditFlags& given) {
+        for (const std::string& word : given.words) {
+            const auto [path, value] = assignment("set", word);
+            using Kind = filigree::DocumentEdit::Kind;
+            given.command.edits.push_back({given.remove ? Kind::set_default : Kind::set, path, value, {}, {}, 1});
+        }
+        return edit_run(given);
+    });
+}
+
+void add_keep(CLI::App& app, Run& run) {
+    const auto flags = std::make_shared<EditFlags>();
+    CLI::App& command =
+        add_edit(app, "keep", "lock places of a document: they stay when what lies above is drawn again", *flags);
+    command.add_option("paths", flags->words, "what to keep")->required();
+    command.add_flag("--remove", flags->remove, "unlock them");
+    when_chosen<EditFlags>(command, run, flags, [](EditFlags& given) {
+        using Kind = filigree::DocumentEdit::Kind;
+        for (const std::string& word : given.words) {
+            given.command.edits.push_back({given.remove ? Kind::unkeep : Kind::keep, word, {}, {}, {}, 1});
+        }
+        return edit_run(given);
+    });
+}
+
+void add_reroll(CLI::App& app, Run& run) {
+    const auto flags = std::make_shared<EditFlags>();
+    CLI::App& command = add_edit(app, "reroll", "draw places of a document again, and all below them", *flags);
+    command.add_option("paths", flags->words, "what to draw again")->required();
+    command.add_option("--times", flags->times, "how many times further")
+        ->check(CLI::Range(1, 1'000'000))
+        ->capture_default_str();
+    when_chosen<EditFlags>(command, run, flags, [](EditFlags& given) {
+        for (const std::string& word : given.words) {
+            given.command.edits.push_back({filigree::DocumentEdit::Kind::reroll, word, {}, {}, {}, given.times});
+        }
+        return edit_run(given);
+    });
+}
+
+void add_apply(CLI::App& app, Run& run) {
+    const auto flags = std::make_shared<EditFlags>();
+    CLI::App& command = add_edit(app, "apply", "add a step by hand", *flags);
+    command.add_option("operator", flags->call, "as in a rule: 'outline(5)', 'rim = outline(5)'")->required();
+    command.add_option("--to", flags->words, "the group or shape to apply it to; may be repeated")
+        ->required()
+        ->take_all()
+        ->expected(1)
+        ->allow_extra_args(false);
+    command.add_option("--as", flags->tags, "tags of what comes out: 'in, ring'");
+    when_chosen<EditFlags>(command, run, flags, [](EditFlags& given) {
+        given.command.edits.push_back(
+            {filigree::DocumentEdit::Kind::apply, {}, given.call, given.words, given.tags, 1});
+        return edit_run(given);
+    });
+}
+
+// --- commands about the language -----------------------------------------------------------------------------------
+
+void add_describe(CLI::App& app, Run& run) {
+    const auto options = std::make_shared<filigree::DescribeCommand>();
+    CLI::App& command = *app.add_subcommand("describe", "one operator's page");
+    CLI::Option* name = command.add_option("name", options->name, "an operator, a start shape or an engine");
+    CLI::Option* markdown = command.add_flag("--markdown", options->markdown, "the whole reference, as Markdown");
+    CLI::Option* json = command.add_flag("--json", options->json, "all descriptions, as JSON");
+    when_chosen<filigree::DescribeCommand>(command, run, options,
+                                           [name, markdown, json](filigree::DescribeCommand& given) -> Run {
+                                               if (name->count() + markdown->count() + json->count() != 1) {
+                                                   throw CLI::RequiredError("describe: NAME, --markdown or --json");
+                                               }
+                                               return [&given] { return filigree::run_describe(given); };
+                                           });
 }
 
 }  // namespace
@@ -54,90 +333,25 @@ int main(int argc, char** argv) {
         "examples:\n"
         "  filigree render examples/tangle/leaf.fil -o leaf.svg -o leaf.png\n"
         "  filigree render leaf.fil -o leaf.svg --set spacing=30 --seed 7\n"
-        "  filigree check leaf.fil\n"
+        "  filigree pick leaf.fil --at 120,80\n"
+        "  filigree set leaf.fil big_poly/outline.distance=18 -o leaf.fil\n"
+        "  filigree variations leaf.fil --count 12 -o sheet.svg\n"
         "  filigree describe outline\n");
-    std::function<int()> run;
-
-    filigree::RenderCommand render;
-    OpenFlags render_flags;
-    std::uint64_t render_steps = 0;
-    CLI::App* render_app = app.add_subcommand("render", "derive, draw and write a document");
-    render_app->add_option("document", render.document, "a .fil file, or an SVG that Filigree wrote")->required();
-    render_app
-        ->add_option("-o,--output", render.outputs,
-                     "what to write; its ending (.svg, .png) is the format; may be repeated")
-        ->required()
-        ->take_all()
-        ->expected(1)
-        ->allow_extra_args(false);
-    add_open_flags(*render_app, render_flags);
-    CLI::Option* render_steps_option = render_app->add_option("--steps", render_steps, "stop after so many steps");
-    render_app->add_option("--threads", render.threads, "how many threads work; the result is the same")
-        ->check(CLI::Range(1, 1024));
-    render_app->add_option("--stats", render.stats, "write figures about the run, as JSON");
-    render_app->add_option("--colour-by", render.colour_by, "colour shapes by what they are: tag, group or step")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, filigree::tangle::ColourBy>{{"tag", filigree::tangle::ColourBy::tag},
-                                                              {"group", filigree::tangle::ColourBy::group},
-                                                              {"step", filigree::tangle::ColourBy::step}}));
-    render_app->add_option("--dpi", render.dpi, "dots per inch of a PNG")
-        ->check(CLI::Range(1.0, 9600.0))
-        ->capture_default_str();
-    render_app->add_flag("--verify", render.verify, "check the result's invariants");
-    render_app->add_flag("--lean", render.lean, "a smaller SVG, without what made each shape");
-    render_app->add_flag("--watch", render.watch, "render again whenever a file changes");
-    render_app->callback([&] {
-        render.open = open_options(render_flags);
-        if (render_steps_option->count() > 0) render.steps = render_steps;
-        run = [&] { return filigree::run_render(render); };
+    Run run;
+    add_render(app, run);
+    add_check(app, run);
+    add_derive(app, run);
+    add_choices(app, run);
+    add_pick(app, run);
+    add_set(app, run);
+    add_keep(app, run);
+    add_reroll(app, run);
+    add_apply(app, run);
+    add_variations(app, run);
+    app.add_subcommand("list", "list engines, operators, start shapes and functions")->callback([&run] {
+        run = filigree::run_list;
     });
-
-    filigree::CheckCommand check;
-    OpenFlags check_flags;
-    CLI::App* check_app =
-        app.add_subcommand("check", "say what is wrong with a document, and show its grammar's graph");
-    check_app->add_option("document", check.document, "a .fil file, or an SVG that Filigree wrote")->required();
-    add_open_flags(*check_app, check_flags);
-    check_app->add_flag("--json", check.json, "as JSON");
-    check_app->callback([&] {
-        check.open = open_options(check_flags);
-        run = [&] { return filigree::run_check(check); };
-    });
-
-    filigree::DeriveCommand derive;
-    OpenFlags derive_flags;
-    std::uint64_t derive_steps = 0;
-    CLI::App* derive_app = app.add_subcommand("derive", "list the steps of a derivation");
-    derive_app->add_option("document", derive.document, "a .fil file, or an SVG that Filigree wrote")->required();
-    add_open_flags(*derive_app, derive_flags);
-    CLI::Option* derive_steps_option = derive_app->add_option("--steps", derive_steps, "stop after so many steps");
-    derive_app->add_option("--threads", derive.threads, "how many threads work; the result is the same")
-        ->check(CLI::Range(1, 1024));
-    std::string format = "text";
-    derive_app->add_option("--format", format, "text or json")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->capture_default_str();
-    derive_app->callback([&] {
-        derive.open = open_options(derive_flags);
-        if (derive_steps_option->count() > 0) derive.steps = derive_steps;
-        derive.json = format == "json";
-        run = [&] { return filigree::run_derive(derive); };
-    });
-
-    CLI::App* list_app = app.add_subcommand("list", "list engines, operators, start shapes and functions");
-    list_app->callback([&] { run = filigree::run_list; });
-
-    filigree::DescribeCommand describe;
-    CLI::App* describe_app = app.add_subcommand("describe", "one operator's page");
-    CLI::Option* name = describe_app->add_option("name", describe.name, "an operator, a start shape or an engine");
-    CLI::Option* markdown = describe_app->add_flag("--markdown", describe.markdown, "the whole reference, as Markdown");
-    CLI::Option* json = describe_app->add_flag("--json", describe.json, "all descriptions, as JSON");
-    describe_app->callback([&] {
-        if (name->count() + markdown->count() + json->count() != 1)
-            throw CLI::RequiredError("describe: NAME, --markdown or --json");
-        run = [&] { return filigree::run_describe(describe); };
-    });
-
+    add_describe(app, run);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& wrong) {

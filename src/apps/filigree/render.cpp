@@ -5,10 +5,10 @@
 #include <thread>
 
 #include "apps/filigree/commands.h"
+#include "apps/filigree/output.h"
 #include "apps/filigree/terminal.h"
 #include "formats/files.h"
-#include "formats/png_write.h"
-#include "formats/svg_write.h"
+#include "session/list_choices.h"
 #include "session/run.h"
 #include "session/stats.h"
 
@@ -16,63 +16,17 @@ namespace filigree {
 namespace fs = std::filesystem;
 namespace {
 
-Diagnostic usage_error(std::string code, std::string message, std::vector<std::string> hints = {}) {
-    Diagnostic wrong = fault(Fault::usage, std::move(code), std::move(message));
-    wrong.hints = std::move(hints);
-    return wrong;
-}
-
-std::string ending_of(const fs::path& path) {
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return ending;
-}
-
-// Whether two paths name one file, existing or not.
-bool same_file(const fs::path& a, const fs::path& b) {
-    std::error_code failed;
-    if (fs::equivalent(a, b, failed) && !failed) return true;
-    return fs::weakly_canonical(a, failed) == fs::weakly_canonical(b, failed) && !failed;
-}
-
-Diagnostics output_problems(const RenderCommand& command) {
-    Diagnostics problems;
+std::vector<fs::path> targets_of(const RenderCommand& command) {
     std::vector<fs::path> targets = command.outputs;
     if (!command.stats.empty()) targets.push_back(command.stats);
-    for (const fs::path& output : command.outputs) {
-        const std::string ending = ending_of(output);
-        if (ending == ".svg" || ending == ".png") continue;
-        problems.push_back(usage_error("render.unknown-format",
-                                       "'" + output.string() + "' has an ending that is no known format",
-                                       {"known are .svg and .png"}));
-    }
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-        for (std::size_t k = 0; k < i; ++k) {
-            if (!same_file(targets[i], targets[k])) continue;
-            problems.push_back(
-                usage_error("render.same-output", "'" + targets[i].string() + "' is given twice as an output"));
-        }
-    }
-    return problems;
+    return targets;
 }
 
-// A document and what it reads are never overwritten by what they make.
-Diagnostics overwrite_problems(const RenderCommand& command, const OpenedDocument& opened) {
-    Diagnostics problems;
-    std::vector<fs::path> targets = command.outputs;
-    if (!command.stats.empty()) targets.push_back(command.stats);
-    for (const fs::path& target : targets) {
-        for (const fs::path& file : opened.files) {
-            if (!same_file(target, file)) continue;
-            problems.push_back(
-                usage_error("render.overwrites-input",
-                            "'" + target.string() + "' is read by the document, so it is not overwritten",
-                            {"choose another name for the output"}));
-            break;
-        }
+// With --strict a preset that meets nothing is an error.
+void refuse_unmatched(Diagnostics& diagnostics) {
+    for (Diagnostic& diagnostic : diagnostics) {
+        if (diagnostic.code == "preset.unmatched") diagnostic.severity = Severity::error;
     }
-    return problems;
 }
 
 struct Outcome {
@@ -84,18 +38,32 @@ Outcome render_once(const RenderCommand& command, Executor& executor, const Job&
     const double begin = now_seconds();
     const Result<OpenedDocument> opened = open_document(command.document, command.open);
     if (!opened) return {print_diagnostics(opened.diagnostics(), {}), {command.document}};
-    const Sources& sources = opened->document.sources;
-    if (const Diagnostics problems = overwrite_problems(command, *opened); !problems.empty()) {
-        return {print_diagnostics(problems, {}), opened->files};
+    const Sources& sources = opened->sources;
+    std::vector<fs::path> read = opened->files;
+    std::optional<Replay> replay;
+    if (!command.choices.empty()) {
+        read.push_back(command.choices);
+        const Result<std::string> text = read_file(command.choices);
+        Result<Replay> choices = text ? read_choices(*text) : text.diagnostics();
+        if (!choices) return {print_diagnostics(choices.diagnostics(), {}), read};
+        replay = std::move(*choices);
     }
-    const CheckedDocument checked = check_document(*opened);
+    if (const Diagnostics problems = overwrites(targets_of(command), read); !problems.empty()) {
+        return {print_diagnostics(problems, {}), read};
+    }
+    const CheckedDocument checked = check_document(*opened, replay ? &*replay : nullptr);
     const int check_status = print_diagnostics(checked.diagnostics, sources);
     if (check_status != 0) return {check_status, opened->files};
     const double parsed = now_seconds();
 
-    const RunOptions options{command.steps, command.colour_by, command.verify};
+    RunOptions options;
+    options.steps = command.steps;
+    options.colour_by = command.colour_by;
+    options.verify = command.verify;
+    options.replay = replay ? &*replay : nullptr;
     Result<Run> run = run_document(*opened, checked, options, executor, job);
     if (!run) return {print_diagnostics(run.diagnostics(), sources), opened->files};
+    if (command.strict) refuse_unmatched(run->diagnostics);
     if (const int status = print_diagnostics(run->diagnostics, sources); status != 0) return {status, opened->files};
     run->times.parse = parsed - begin;
 
@@ -105,17 +73,11 @@ Outcome render_once(const RenderCommand& command, Executor& executor, const Job&
     for (const fs::path& output : command.outputs) {
         if (is_cancelled(job)) return {print_diagnostics({cancelled_diagnostic()}, {}), opened->files};
         report(job, "write", -1);
-        if (ending_of(output) == ".svg") {
-            SvgOptions svg;
-            svg.lean = command.lean;
-            svg.carried = &document;
-            svg.title = fs::path(opened->name).stem().string();
-            files.push_back({output, to_svg(run->drawing, svg)});
-            continue;
-        }
-        Result<std::string> png = to_png(run->drawing, {command.dpi / 96});
-        if (!png) return {print_diagnostics(png.diagnostics(), {}), opened->files};
-        files.push_back({output, std::move(*png)});
+        Result<std::string> bytes =
+            encoded(run->picture.drawing, output,
+                    {command.dpi, command.lean, &document, fs::path(opened->name).stem().string()});
+        if (!bytes) return {print_diagnostics(bytes.diagnostics(), {}), opened->files};
+        files.push_back({output, std::move(*bytes)});
     }
     if (is_cancelled(job)) return {print_diagnostics({cancelled_diagnostic()}, {}), opened->files};
     if (const Diagnostics failed = write_files(files); !failed.empty()) {
@@ -160,8 +122,9 @@ int watch(const RenderCommand& command, Executor& executor, const Job& job) {
 }  // namespace
 
 int run_render(const RenderCommand& command) {
-    if (const Diagnostics problems = output_problems(command); !problems.empty())
-        return print_diagnostics(problems, {});
+    Diagnostics problems = unknown_formats(command.outputs);
+    append(problems, same_outputs(targets_of(command)));
+    if (!problems.empty()) return print_diagnostics(problems, {});
     const std::unique_ptr<Executor> executor = make_executor(command.threads);
     const Job job = terminal_job();
     if (command.watch) return watch(command, *executor, job);

@@ -2,6 +2,10 @@
 //
 // Steps of one wave are independent, since every choice is addressed by keys; they run in parallel and are
 // committed in the order of their groups, so the result depends on neither threads nor timing.
+//
+// Law: derive(d, i, previous) == derive(d, i, nothing), byte for byte, whatever `previous` is. What of it still
+// holds is taken over (reuse.h): whole steps whose rules, presets and shapes are the same, and the results of operators
+// whose arguments have come out the same.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +14,7 @@
 #include "base/executor.h"
 #include "base/job.h"
 #include "base/result.h"
+#include "derivation/embedding.h"
 #include "derivation/inputs.h"
 #include "derivation/plane_start.h"
 #include "engines/tangle/grammar.h"
@@ -18,16 +23,15 @@
 namespace filigree::tangle {
 
 struct DeriveOptions {
-    std::optional<std::uint64_t> steps;  // stop after so many: a prefix of the whole derivation
+    std::optional<std::uint64_t> steps;           // stop after so many: a prefix of the whole derivation
+    const Tangle* previous = nullptr;             // of an earlier state of the document
+    DocumentSite site;                            // inside a shape of another document, or on its own
+    EmbedFunction embed;                          // must be given if a rule embeds
+    std::optional<std::uint64_t> element_budget;  // where it is less than the document's own limit
 };
 
-// Fault::limit where a limit is reached or the job is cancelled.
+// Fault::limit where a limit is reached or the job is cancelled; `previous` is whole in any case.
 Result<Tangle> derive(const Grammar& grammar, const PlaneStart& start, const Settings& settings,
                       const Document& document, const DeriveOptions& options, Executor& executor, const Job& job);
-
-// "big_poly/outline/in/regular_split/quads[3]": where a group stands, and a step's path without the last tag.
-std::string segment_of_group(const Tangle& tangle, const Grammar& grammar, std::uint32_t group);  // "quads[3]"
-std::string path_of_group(const Tangle& tangle, const Grammar& grammar, std::uint32_t group);
-std::string path_of_step(const Tangle& tangle, const Grammar& grammar, std::uint32_t step);
 
 }  // namespace filigree::tangle

@@ -5,9 +5,10 @@
 #include <cmath>
 #include <map>
 
-#include "engines/tangle/derive.h"
+#include "engines/tangle/paths.h"
 #include "engines/tangle/scopes.h"
 #include "language/style.h"
+#include "scene/arrange.h"
 
 namespace filigree::tangle {
 namespace {
@@ -66,12 +67,23 @@ void apply(const StyleOverride& over, Style& style) {
     if (over.corner) style.corner = *over.corner;
 }
 
+// What presets may say of styles.
+constexpr std::string_view style_parameters[] = {"fill", "stroke", "pen", "corner", "when"};
+
 class Drawer {
 public:
-    Drawer(const Tangle& tangle, const Grammar& grammar, const Settings& settings, StyleSheet sheet, ColourBy colour_by)
-        : tangle_(tangle), grammar_(grammar), sheet_(std::move(sheet)), colour_by_(colour_by) {
+    Drawer(const Tangle& tangle, const Grammar& grammar, const Settings& settings, const Document& document,
+           StyleSheet sheet, const DrawOptions& options)
+        : tangle_(tangle),
+          grammar_(grammar),
+          sheet_(std::move(sheet)),
+          colour_by_(options.colour_by),
+          walk_(begin_walk(options.site, document, settings.globals, settings.seed)) {
+        picture_.met.resize(walk_.presets.all.size());
+        const bool may_be_preset = std::any_of(std::begin(style_parameters), std::end(style_parameters),
+                                               [&](std::string_view name) { return may_name(walk_.presets, name); });
         for (const std::string& tag : grammar.tags) {
-            tag_styles_.push_back(style_of_tag(sheet_, tag));
+            tag_styles_.push_back(style_of_tag(sheet_, tag, may_be_preset));
             is_named_.push_back(
                 std::any_of(settings.styles.begin(), settings.styles.end(), [&](const StyleStatement* style) {
                     return std::any_of(style->tags.begin(), style->tags.end(),
@@ -80,7 +92,7 @@ public:
         }
     }
 
-    Result<Drawing> draw() {
+    Result<Picture> draw() {
         drawing_.geometry = tangle_.geometry;
         drawing_.groups.emplace_back();  // the starts
         for (std::uint32_t g = 0; g < tangle_.start_groups; ++g) draw_leaf(g);
@@ -106,7 +118,10 @@ public:
         }
         for (std::uint32_t s = 0; s < tangle_.steps.size(); ++s) draw_overlay(s);
         if (!errors_.empty()) return errors_;
-        return std::move(drawing_);
+        for (std::uint32_t s = 0; s < tangle_.steps.size(); ++s) place_embedded(s);
+        picture_.drawing = std::move(drawing_);
+        picture_.choices = std::move(recorder_.choices);
+        return std::move(picture_);
     }
 
 private:
@@ -148,11 +163,49 @@ private:
         const TagStyle& of_tag = tag_styles_[tangle_.groups[group].tag];
         if (of_tag.is_constant) return of_tag.common;
         const Scope scope = style_scope(tangle_, group, index);
+        ChoiceBuffer record;
+        PresetNode node;
+        const StyleChoices choices = [&](std::string_view segment) {
+            node = style_node(tangle_.groups[group], index, segment);
+            for (const std::uint32_t preset : node.accepted) {
+                const std::string& parameter = walk_.presets.all[preset].path->parameter;
+                for (const std::string_view known : style_parameters) {
+                    if (parameter == known) picture_.met[preset] = 1;
+                }
+            }
+            return choices_at(walk_, node, scope, &record);
+        };
         const Result<StyleOverride> style =
-            style_of_shape(sheet_, of_tag, scope, tangle_.groups[group].shapes[index].key);
+            style_of_shape(sheet_, of_tag, scope, tangle_.groups[group].shapes[index].key, choices);
+        if (!record.rows.empty()) {
+            const std::size_t first = recorder_.choices.size();
+            recorder_.append(record);
+            picture_.styled.push_back({group, static_cast<std::uint32_t>(index), first, recorder_.choices.size()});
+        }
         if (style) return *style;
         if (errors_.empty()) errors_ = style.diagnostics();
         return std::nullopt;
+    }
+
+    // The node of a style statement below a shape: GROUP/SHAPE/style#2, and GROUP/style#2 for all of its shapes.
+    PresetNode style_node(const Group& group, std::size_t index, std::string_view segment) const {
+        if (!group.presets) return {nullptr, {}, group.seed};
+        const PresetNode above{group.presets, {}, group.seed};
+        const PresetNode shape = node_below(walk_, above, {{}, 0, group.number_of(index)});
+        const PresetState below = shape.state ? advance(walk_.presets, shape.state, {segment}) : nullptr;
+        return node_in_state(walk_, joined(below, advance(walk_.presets, group.presets, {segment})), shape.seed);
+    }
+
+    // What has grown in the shapes of a step, over all that the step itself draws.
+    void place_embedded(std::uint32_t number) {
+        const Step& step = tangle_.steps[number];
+        for (std::size_t i = 0; i < step.embedded.size(); ++i) {
+            if (!step.embedded[i]) continue;
+            Placement placement;
+            placement.parent = number + 1;
+            placement.path_prefix = path_of_embedded(tangle_, grammar_, number, i);
+            place_drawing(drawing_, step.embedded[i]->drawing, placement);
+        }
     }
 
     void draw_leaf(std::uint32_t number) {
@@ -192,8 +245,11 @@ private:
     ColourBy colour_by_;
     std::vector<TagStyle> tag_styles_;  // of each tag
     std::vector<bool> is_named_;        // whether a style names it, other than by *
+    const PresetWalk walk_;
     StyleTable styles_;
     Drawing drawing_;
+    Picture picture_;
+    ChoiceRecorder recorder_;
     Diagnostics errors_;
 };
 
@@ -226,16 +282,16 @@ Canvas canvas_of(const Tangle& tangle, const Settings& settings, const Document&
 
 }  // namespace
 
-Result<Drawing> draw(const Tangle& tangle, const Grammar& grammar, const Settings& settings, const Document& document,
-                     ColourBy colour_by) {
+Result<Picture> draw(const Tangle& tangle, const Grammar& grammar, const Settings& settings, const Document& document,
+                     const DrawOptions& options) {
     Result<StyleSheet> sheet = read_styles(settings, document);
     if (!sheet) return sheet.diagnostics();
     Diagnostics warnings;
     const Canvas canvas = canvas_of(tangle, settings, document, warnings);
-    Result<Drawing> drawing = Drawer(tangle, grammar, settings, std::move(*sheet), colour_by).draw();
-    if (!drawing) return drawing;
-    drawing->canvas = canvas;
-    return Result<Drawing>(std::move(*drawing), std::move(warnings));
+    Result<Picture> picture = Drawer(tangle, grammar, settings, document, std::move(*sheet), options).draw();
+    if (!picture) return picture;
+    picture->drawing.canvas = canvas;
+    return Result<Picture>(std::move(*picture), std::move(warnings));
 }
 
 }  // namespace filigree::tangle

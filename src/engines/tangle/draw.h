@@ -8,6 +8,7 @@
 #include "base/result.h"
 #include "engines/tangle/grammar.h"
 #include "engines/tangle/tangle.h"
+#include "language/preset_walk.h"
 #include "language/settings.h"
 #include "scene/drawing.h"
 
@@ -20,7 +21,27 @@ enum class ColourBy {
     step,   // from dark to light in the order of the steps
 };
 
-Result<Drawing> draw(const Tangle& tangle, const Grammar& grammar, const Settings& settings, const Document& document,
-                     ColourBy colour_by);
+// Rows of Picture::choices that belong to one shape.
+struct StyledShape {
+    std::uint32_t group = 0;
+    std::uint32_t shape = 0;  // its index there
+    std::size_t first_choice = 0, end_choice = 0;
+};
+
+struct DrawOptions {
+    ColourBy colour_by = ColourBy::style;
+    DocumentSite site = {};  // as in the derivation
+};
+
+struct Picture {
+    Drawing drawing;
+    Choices choices;                  // made in styles, shape by shape in the order of drawing
+    std::vector<StyledShape> styled;  // where they were made
+    std::vector<std::uint8_t> met;    // of each preset in force: whether it met a style
+};
+
+// With what has grown in the shapes of `embed` steps.
+Result<Picture> draw(const Tangle& tangle, const Grammar& grammar, const Settings& settings, const Document& document,
+                     const DrawOptions& options);
 
 }  // namespace filigree::tangle

@@ -21,8 +21,8 @@ struct OperatorInput {
     const Tangle& tangle;           // for the geometry of the shapes
     std::span<const Shape> shapes;  // of one group
     const Arguments& arguments;
-    std::uint64_t seed = 0;
-    Key step;                          // of this step: where inner choices hang
+    std::uint32_t scatter = 0;         // what the operator's own randomness hangs on
+    Key step;                          // of this step
     double resolution = 0.1;           // px: tolerance of curves
     std::uint64_t element_budget = 0;  // more new shapes than this are refused
     Executor& executor;
@@ -40,7 +40,8 @@ struct OperatorOutput {
 
 struct Operator {
     OperatorDescription description;
-    Result<OperatorOutput> (*run)(const OperatorInput& input) = nullptr;
+    Result<OperatorOutput> (*run)(const OperatorInput& input) = nullptr;  // null: the derivation runs it itself
+    bool scatters = false;  // has randomness of its own, all of it from OperatorInput::scatter
 };
 
 // A new shape inside `parent`, whose geometry is the `polygon`-th of the operator's output. `local` tells

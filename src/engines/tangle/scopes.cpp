@@ -1,5 +1,7 @@
 #include "engines/tangle/scopes.h"
 
+#include <algorithm>
+
 namespace filigree::tangle {
 namespace {
 
@@ -39,14 +41,14 @@ Scope step_scope(const Tangle& tangle, std::uint32_t group, const Scope& globals
     add(scope, mean);
     add(scope, "count", count);
     add(scope, "depth", here.depth);
-    add(scope, "group", group + 1);
+    add(scope, "group", std::max(1U, here.ordinal));
     return scope;
 }
 
-Scope shape_scope(const Tangle& tangle, const Shape& shape, std::size_t index) {
+Scope shape_scope(const Tangle& tangle, const Shape& shape, std::uint32_t number) {
     const Vec centre = centroid(tangle.polygon(shape));
     Scope scope;
-    add(scope, "index", static_cast<double>(index + 1));
+    add(scope, "index", number);
     add(scope, "x", centre.x, 1);
     add(scope, "y", centre.y, 1);
     add(scope, "i", shape.column);
@@ -56,10 +58,10 @@ Scope shape_scope(const Tangle& tangle, const Shape& shape, std::size_t index) {
 
 Scope style_scope(const Tangle& tangle, std::uint32_t group, std::size_t index) {
     const Group& here = tangle.groups[group];
-    Scope scope = shape_scope(tangle, here.shapes[index], index);
+    Scope scope = shape_scope(tangle, here.shapes[index], here.number_of(index));
     add(scope, extent_of(tangle.polygon(here.shapes[index])));
     add(scope, "depth", here.depth);
-    add(scope, "group", group + 1);
+    add(scope, "group", std::max(1U, here.ordinal));
     return scope;
 }
 

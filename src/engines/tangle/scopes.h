@@ -8,11 +8,12 @@
 
 namespace filigree::tangle {
 
-// For `when`, `weight` and arguments: area, width and height as means over the group, count, depth, group.
+// For `when`, `weight` and arguments: area, width and height as means over the group, count, depth, group (its
+// number among the groups of one output, from 1, so that edits elsewhere do not change it).
 Scope step_scope(const Tangle& tangle, std::uint32_t group, const Scope& globals);
 
-// For each(...): index, x, y (of the centroid), i, j.
-Scope shape_scope(const Tangle& tangle, const Shape& shape, std::size_t index);
+// For each(...): index (the shape's number from 1), x, y (of the centroid), i, j.
+Scope shape_scope(const Tangle& tangle, const Shape& shape, std::uint32_t number);
 
 // For styles: the same, and the shape's own area, width and height, depth, group.
 Scope style_scope(const Tangle& tangle, std::uint32_t group, std::size_t index);

@@ -7,7 +7,7 @@ namespace filigree::tangle {
 
 std::span<const Operator> operators() {
     static const std::vector<Operator> all = {
-        fill_operator(),    invert_operator(),        outline_operator(), place_operator(),
+        embed_operator(),   fill_operator(),          invert_operator(),  outline_operator(), place_operator(),
         regroup_operator(), regular_split_operator(), stipple_operator(), ungroup_operator(),
     };
     return all;

@@ -9,6 +9,7 @@
 
 namespace filigree::tangle {
 
+Operator embed_operator();
 Operator fill_operator();
 Operator invert_operator();
 Operator outline_operator();

@@ -44,7 +44,8 @@ Result<OperatorOutput> run(const OperatorInput& input) {
         const double spacing = arguments.number("spacing", index);
         const double largest = std::min(arguments.number("size", index), spacing) / 2 - least_gap;
         const double variation = arguments.number("variation", index);
-        const std::uint64_t choice = random_bits(input.seed, Key{fold(input.step.value, shape.key.value)}, "scatter");
+        const std::uint64_t choice =
+            random_bits(input.scatter, Key{fold(input.step.value, shape.key.value)}, "scatter");
 
         ScatterOptions options;
         options.spacing = spacing;
@@ -109,7 +110,8 @@ Operator place_operator() {
                              .high = 0.9}},
              .ports = {{"placed", "the placed shapes"}, {"remainder", "the region without them"}},
              .example = "place(blob, size: 20, spacing: 25) : rim -> blobs, rest"},
-            run};
+            run,
+            true};
 }
 
 }  // namespace filigree::tangle

@@ -22,7 +22,7 @@ Result<OperatorOutput> run(const OperatorInput& input) {
         ScatterOptions options;
         options.spacing = spacing;
         options.clearance = radius + arguments.number("margin", index);
-        options.seed = random_bits(input.seed, Key{fold(input.step.value, shape.key.value)}, "scatter");
+        options.seed = random_bits(input.scatter, Key{fold(input.step.value, shape.key.value)}, "scatter");
         options.limit = input.element_budget + 1 - std::min(input.element_budget, batch.added);
         for (const ScatteredPoint& centre : scatter(polygon, options)) {
             const double own = radius * (0.8 + 0.2 * to_unit(random_bits(options.seed, Key{centre.cell}, "size")));
@@ -70,7 +70,8 @@ Operator stipple_operator() {
          .ports = {{"ground", "the shapes below the dots"}, {"dots", "the dots, marks that are no part of the area"}},
          .example = "stipple(4, size: 1.5) : petals -> dotted",
          .shrinks = false},
-        run};
+        run,
+        true};
 }
 
 }  // namespace filigree::tangle

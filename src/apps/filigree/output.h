@@ -1,0 +1,31 @@
+// Drawings to files: the format by the ending, and which targets must not be written.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "formats/svg_write.h"
+#include "scene/drawing.h"
+
+namespace filigree {
+
+// Errors for endings that are no known format of a drawing.
+Diagnostics unknown_formats(const std::vector<std::filesystem::path>& outputs);
+// For targets that are given twice.
+Diagnostics same_outputs(const std::vector<std::filesystem::path>& targets);
+// For targets that are read: a document and what it reads are never overwritten by what they make.
+Diagnostics overwrites(const std::vector<std::filesystem::path>& targets,
+                       const std::vector<std::filesystem::path>& read);
+
+struct EncodeOptions {
+    double dpi = 192;  // of PNG
+    bool lean = false;
+    const CarriedDocument* carried = nullptr;  // into an SVG, if given
+    std::string title;
+};
+// The bytes of a drawing in the format that the path's ending names.
+Result<std::string> encoded(const Drawing& drawing, const std::filesystem::path& output, const EncodeOptions& options);
+
+}  // namespace filigree

@@ -1,0 +1,205 @@
+#include "engines/tangle/draw_rule.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "language/walk.h"
+
+namespace filigree::tangle {
+namespace {
+
+struct Runner {
+    std::uint32_t rule = 0;
+    double weight = 1;
+};
+
+class RuleDrawer {
+public:
+    RuleDrawer(const RuleDraw& draw, ChoiceBuffer& record) : draw_(draw), record_(record) {}
+
+    Result<std::optional<std::uint32_t>> run() {
+        Result<StepChoices> choices = choices_at(draw_.walk, draw_.node, draw_.scope, &record_);
+        if (!choices) return choices.diagnostics();
+        if (!draw_.node.accepted.empty()) {
+            Result<std::optional<Preset>> preset = deciding_preset(*choices);
+            if (!preset) return preset.diagnostics();
+            if (*preset) return by_preset(**preset, *choices);
+        }
+        return race_of(all_runners(), *choices, ChoiceSource::drawn);
+    }
+
+private:
+    const Rule& rule(std::uint32_t index) const { return draw_.grammar.rules[index]; }
+
+    Evaluation evaluation() const {
+        Evaluation at;
+        at.document = &draw_.document;
+        at.scope = &draw_.scope;
+        at.site.key = draw_.group;
+        at.site.name = "rule";
+        at.words = {"*"};
+        return at;
+    }
+
+    // The preset of `rule` that counts here.
+    Result<std::optional<Preset>> deciding_preset(const StepChoices& choices) {
+        StepChoices unrecorded = choices;
+        unrecorded.record = nullptr;
+        Result<std::optional<DecidedValue>> decided = decide(unrecorded, "rule", nullptr, evaluation());
+        if (!decided) return decided.diagnostics();
+        if (!*decided) return std::optional<Preset>();
+        value_ = (*decided)->value;
+        return std::optional<Preset>(*(*decided)->preset);
+    }
+
+    Result<std::optional<std::uint32_t>> by_preset(const Preset& preset, const StepChoices& choices) {
+        const ChoiceSource source = preset.kind == PresetKind::set ? ChoiceSource::set : ChoiceSource::fallback;
+        const auto* call = std::get_if<CallExpression>(&preset.value->node);
+        if (call == nullptr || call->name != "one_of") {
+            const std::optional<Runner> only = runner_named(value_, preset);
+            if (!errors_.empty()) return errors_;
+            return only ? recorded({*only}, 0, source) : std::optional<std::uint32_t>();
+        }
+        // Those that are named race as they would among all: with their own conditions and weights.
+        std::vector<Runner> runners;
+        for (const WeightedExpression& one : candidates_of(*call)) {
+            Evaluation at = evaluation();
+            at.document = preset.document;
+            const Result<Value> name = evaluate(*one.candidate, at);
+            if (!name) return name.diagnostics();
+            const std::optional<Runner> runner = runner_named(*name, preset);
+            if (!errors_.empty()) return errors_;
+            if (!runner) continue;
+            const std::optional<Runner> running = with_weight(runner->rule, one.weight, preset.document);
+            if (running) runners.push_back(*running);
+        }
+        return race_of(std::move(runners), choices, source);
+    }
+
+    // The rule that a preset names; none for the word `none`.
+    std::optional<Runner> runner_named(const Value& value, const Preset& preset) {
+        const auto* text = std::get_if<std::string>(&value.data);
+        const auto* word = std::get_if<Symbol>(&value.data);
+        const std::string name = text != nullptr ? *text : word != nullptr ? word->name : "";
+        for (const std::uint32_t r : draw_.matching) {
+            if (rule(r).segment == name) return Runner{r, 1};
+        }
+        if (name == "none") return std::nullopt;
+        std::vector<std::string_view> known;
+        for (const std::uint32_t r : draw_.matching) known.push_back(rule(r).segment);
+        std::vector<std::string> hints = did_you_mean(name, known);
+        if (hints.empty() && !known.empty()) hints.push_back("one of them is '" + std::string(known.front()) + "'");
+        errors_.push_back(error("preset.unknown-rule", "there is no rule '" + name + "' for this tag",
+                                preset.value->span, std::move(hints)));
+        return std::nullopt;
+    }
+
+    std::vector<Runner> all_runners() {
+        std::vector<Runner> runners;
+        for (const std::uint32_t r : draw_.matching) {
+            if (const auto runner = with_weight(r, nullptr, &draw_.document)) runners.push_back(*runner);
+        }
+        return runners;
+    }
+
+    // A rule whose condition holds, with its weight, or the given one.
+    std::optional<Runner> with_weight(std::uint32_t index, const Expression* given, const Document* given_in) {
+        const Rule& candidate = rule(index);
+        Runner runner{index, 1};
+        if (!candidate.condition && !candidate.weight && given == nullptr) return runner;
+        PresetNode node = node_below(draw_.walk, draw_.node, {candidate.segment});
+        const Result<StepChoices> choices = choices_at(draw_.walk, node, draw_.scope, &record_);
+        if (!choices) return failed(choices.diagnostics());
+        const auto value_of = [&](const ExpressionPtr& expression, const char* name) {
+            Evaluation at;
+            at.document = &draw_.document;
+            at.scope = &draw_.scope;
+            at.site.key = child(draw_.group, candidate.key.value);
+            at.site.name = name;
+            return evaluate_with(*choices, name, *expression, at);
+        };
+        if (candidate.condition) {
+            const Result<Value> value = value_of(candidate.condition, "when");
+            const Result<bool> holds = value ? as_flag(*value) : Result<bool>(value.diagnostics());
+            if (!holds) return failed(holds.diagnostics());
+            if (!*holds) return std::nullopt;
+        }
+        if (given == nullptr && !candidate.weight) return runner;
+        Evaluation at = evaluation();
+        at.document = given_in;
+        at.words.clear();
+        const Result<Value> value = given != nullptr ? evaluate(*given, at) : value_of(candidate.weight, "weight");
+        const Result<double> number = value ? as_number(*value) : Result<double>(value.diagnostics());
+        if (!number) return failed(number.diagnostics());
+        if (*number < 0) {
+            const SourceSpan span = given != nullptr ? given->span : candidate.weight->span;
+            return failed({error("tangle.negative-weight", "a weight must not be below 0", span)});
+        }
+        runner.weight = *number;
+        return runner;
+    }
+    std::nullopt_t failed(const Diagnostics& reasons) {
+        append(errors_, reasons);
+        return std::nullopt;
+    }
+
+    Result<std::optional<std::uint32_t>> race_of(std::vector<Runner> runners, const StepChoices& choices,
+                                                 ChoiceSource source) {
+        if (!errors_.empty()) return errors_;
+        std::erase_if(runners, [](const Runner& runner) { return !(runner.weight > 0); });
+        if (runners.empty()) return std::optional<std::uint32_t>();
+        if (runners.size() == 1 && source == ChoiceSource::drawn) return std::optional(runners[0].rule);
+        if (const Value* replayed = choices.replay ? choices.replay->find(draw_.group, "rule") : nullptr) {
+            for (std::size_t i = 0; i < runners.size(); ++i) {
+                if (to_text(*replayed) == to_text(Value{rule(runners[i].rule).segment, {}})) {
+                    return recorded(runners, i, ChoiceSource::replayed);
+                }
+            }
+            return error("choices.outside-domain", "the recorded rule " + to_text(*replayed) + " cannot be drawn here",
+                         rule(runners[0].rule).span);
+        }
+        if (!choices.is_random) {
+            const auto heaviest = std::max_element(
+                runners.begin(), runners.end(), [](const Runner& a, const Runner& b) { return a.weight < b.weight; });
+            return recorded(runners, static_cast<std::size_t>(heaviest - runners.begin()),
+                            source == ChoiceSource::drawn ? ChoiceSource::middle : source);
+        }
+        std::vector<Key> keys;
+        std::vector<double> weights;
+        for (const Runner& runner : runners) {
+            keys.push_back(rule(runner.rule).key);
+            weights.push_back(runner.weight);
+        }
+        const std::uint64_t seed =
+            draw_.node.accepted.empty()
+                ? choices.seed
+                : seed_of_parameter(*choices.presets, choices.accepted, "rule", choices.seed, choices.document_seed);
+        return recorded(runners, race(seed, draw_.group, "rule", keys, weights), source);
+    }
+
+    std::optional<std::uint32_t> recorded(const std::vector<Runner>& runners, std::size_t winner, ChoiceSource source) {
+        ChoiceDomain domain;
+        domain.kind = ChoiceDomain::Kind::alternatives;
+        for (const Runner& runner : runners) {
+            domain.alternatives.push_back({rule(runner.rule).segment, {}});
+            domain.weights.push_back(runner.weight);
+        }
+        const void* text = draw_.matching.empty() ? nullptr : draw_.matching.data();
+        record(record_, text, "rule", domain, draw_.group, static_cast<double>(winner), source);
+        return runners[winner].rule;
+    }
+
+    const RuleDraw& draw_;
+    ChoiceBuffer& record_;
+    Value value_;  // of the deciding preset
+    Diagnostics errors_;
+};
+
+}  // namespace
+
+Result<std::optional<std::uint32_t>> draw_rule(const RuleDraw& draw, ChoiceBuffer& record) {
+    return RuleDrawer(draw, record).run();
+}
+
+}  // namespace filigree::tangle

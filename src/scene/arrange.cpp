@@ -1,0 +1,247 @@
+#include "scene/arrange.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "plane/clean.h"
+#include "plane/edge_tree.h"
+
+namespace filigree {
+namespace {
+
+// A map from equal styles to the first of them; pens are compared by their bits, as NaN equals nothing.
+class StyleIndices {
+public:
+    explicit StyleIndices(std::vector<Style>& styles) : styles_(styles) {
+        for (std::uint32_t i = 0; i < styles.size(); ++i) known_.emplace(words_of(styles[i]), i);
+    }
+    std::uint32_t index_of(const Style& style) {
+        const auto [known, is_new] = known_.emplace(words_of(style), static_cast<std::uint32_t>(styles_.size()));
+        if (is_new) styles_.push_back(style);
+        return known->second;
+    }
+
+private:
+    using Words = std::array<std::uint64_t, 4>;
+
+    static std::uint64_t word_of(const std::optional<Colour>& colour) {
+        return colour ? std::bit_cast<std::uint32_t>(*colour) : UINT64_MAX;
+    }
+    static Words words_of(const Style& style) {
+        return {word_of(style.fill), word_of(style.stroke), std::bit_cast<std::uint64_t>(style.pen),
+                static_cast<std::uint64_t>(style.corner)};
+    }
+
+    std::vector<Style>& styles_;
+    std::map<Words, std::uint32_t> known_;
+};
+
+// Where shapes lie with respect to a clip; most are far from its border.
+class Clip {
+public:
+    enum class Side { inside, across, outside };
+
+    explicit Clip(const Polygons& polygons) : polygons_(unite(polygons, {})), tree_(edges_of_all(polygons_)) {}
+
+    Side side_of(PolygonView polygon) const {
+        const Box box = bounds(polygon);
+        const VecBox in_px{to_px(box.min), to_px(box.max)};
+        if (tree_.any(in_px, [](std::uint32_t) { return true; })) return Side::across;
+        return tree_.is_inside(in_px.min) ? Side::inside : Side::outside;
+    }
+    const Polygons& polygons() const { return polygons_; }
+
+private:
+    static std::vector<Edge> edges_of_all(const Polygons& polygons) {
+        std::vector<Edge> edges;
+        for (std::size_t i = 0; i < polygons.size(); ++i) {
+            const std::vector<Edge> some = edges_of(polygons[i], Point{});
+            edges.insert(edges.end(), some.begin(), some.end());
+        }
+        return edges;
+    }
+
+    Polygons polygons_;
+    EdgeTree tree_;
+};
+
+// The ring on the grid, without repeated points and the spikes that snapping leaves; empty where it leaves the
+// plane.
+std::vector<Point> mapped(RingView ring, const Transform& by) {
+    std::vector<Point> points;
+    for (const Point from : ring) {
+        const Vec to = apply(by, to_px(from));
+        if (!is_on_plane(to)) return {};
+        const Point p = snap(to);
+        if (!points.empty() && points.back() == p) continue;
+        if (points.size() > 1 && points[points.size() - 2] == p) {
+            points.pop_back();
+        } else {
+            points.push_back(p);
+        }
+    }
+    for (bool is_tidy = false; !is_tidy && points.size() > 1;) {  // the same where the ring closes
+        const std::size_t count = points.size();
+        if (points.back() == points.front() || points[count - 2] == points.front()) {
+            points.pop_back();
+        } else if (points.back() == points[1]) {
+            points.erase(points.begin());
+        } else {
+            is_tidy = true;
+        }
+    }
+    if (determinant(by) < 0) std::reverse(points.begin(), points.end());
+    return points;
+}
+
+Polygons mapped(PolygonView polygon, const Transform& by) {
+    Polygons result;
+    for (std::size_t r = 0; r < polygon.ring_count(); ++r) {
+        const std::vector<Point> ring = mapped(polygon.ring(r), by);
+        const Int128 area = doubled_area(ring);
+        const bool is_kept = ring.size() >= 3 && (r == 0 ? area > 0 : area < 0);
+        if (is_kept) result.add_ring(ring);
+        if (!is_kept && r == 0) return {};
+    }
+    result.end_polygon();
+    return result;
+}
+
+class Placing {
+public:
+    Placing(Drawing& to, const Drawing& from, const Placement& placement)
+        : to_(to), from_(from), placement_(placement), keeps_geometry_(placement.transform == Transform{}) {
+        if (placement.clip != nullptr) clip_.emplace(*placement.clip);
+        for (std::uint32_t i = 0; i < to.geometry.size(); ++i) known_geometry_.emplace(to.geometry[i].get(), i);
+        std::size_t polygons = 0;
+        for (const auto& geometry : from.geometry) {
+            first_polygon_.push_back(polygons);
+            polygons += geometry->size();
+        }
+        pieces_.resize(polygons);
+    }
+
+    void place() {
+        const auto first_shape = static_cast<std::uint32_t>(to_.shapes.size());
+        const std::vector<std::uint32_t> new_shape = add_shapes();
+        add_groups(new_shape);
+        if (fresh_.empty()) return;
+        const auto fresh = static_cast<std::uint32_t>(to_.geometry.size());
+        to_.geometry.push_back(std::make_shared<const Polygons>(std::move(fresh_)));
+        for (std::uint32_t s = first_shape; s < to_.shapes.size(); ++s) {
+            if (to_.shapes[s].geometry == to_be_added) to_.shapes[s].geometry = fresh;
+        }
+    }
+
+private:
+    static constexpr std::uint32_t to_be_added = UINT32_MAX;
+
+    struct Pieces {  // what a polygon became
+        std::uint32_t geometry = to_be_added;
+        std::uint32_t first = 0, end = 0;
+    };
+
+    // Where each shape, and the end, came to stand.
+    std::vector<std::uint32_t> add_shapes() {
+        StyleIndices styles(to_.styles);
+        std::vector<std::uint32_t> new_style(from_.styles.size(), to_be_added);
+        std::vector<std::uint32_t> new_shape;
+        new_shape.reserve(from_.shapes.size() + 1);
+        for (const DrawnShape& shape : from_.shapes) {
+            new_shape.push_back(static_cast<std::uint32_t>(to_.shapes.size()));
+            const Pieces pieces = pieces_of(shape.geometry, shape.polygon);
+            if (pieces.first == pieces.end) continue;
+            std::uint32_t& style = new_style[shape.style];
+            if (style == to_be_added) style = styles.index_of(scaled(from_.styles[shape.style]));
+            for (std::uint32_t p = pieces.first; p < pieces.end; ++p) {
+                to_.shapes.push_back({pieces.geometry, p, style, shape.key});
+            }
+        }
+        new_shape.push_back(static_cast<std::uint32_t>(to_.shapes.size()));
+        return new_shape;
+    }
+
+    void add_groups(const std::vector<std::uint32_t>& new_shape) {
+        if (to_.groups.empty()) to_.groups.emplace_back();
+        const auto root = static_cast<std::uint32_t>(to_.groups.size());
+        to_.groups[placement_.parent].children.push_back(root);
+        for (const DrawingGroup& group : from_.groups) {
+            DrawingGroup added = group;
+            const std::string& prefix = placement_.path_prefix;
+            if (!prefix.empty()) added.path = group.path.empty() ? prefix : prefix + "/" + group.path;
+            added.first_shape = new_shape[group.first_shape];
+            added.end_shape = new_shape[group.end_shape];
+            added.first_overlay = new_shape[group.first_overlay];
+            added.end_overlay = new_shape[group.end_overlay];
+            for (std::uint32_t& child : added.children) child += root;
+            to_.groups.push_back(std::move(added));
+        }
+    }
+
+    Style scaled(Style style) const {
+        if (style.pen > 0) style.pen = std::max(style.pen * placement_.pen_scale, placement_.least_pen);
+        return style;
+    }
+
+    // A polygon that several shapes show is placed once.
+    Pieces pieces_of(std::uint32_t geometry, std::uint32_t polygon) {
+        std::optional<Pieces>& known = pieces_[first_polygon_[geometry] + polygon];
+        if (!known) known = placed(geometry, polygon);
+        return *known;
+    }
+
+    Pieces placed(std::uint32_t geometry, std::uint32_t polygon) {
+        const PolygonView view = (*from_.geometry[geometry])[polygon];
+        if (view.ring_count() == 0) return {};
+        const Polygons moved = keeps_geometry_ ? Polygons{} : mapped(view, placement_.transform);
+        if (!keeps_geometry_ && moved.empty()) return {};
+        const PolygonView here = keeps_geometry_ ? view : moved[0];
+        const Clip::Side side = clip_ ? clip_->side_of(here) : Clip::Side::inside;
+        if (side == Clip::Side::outside) return {};
+        if (side == Clip::Side::inside && keeps_geometry_) return {shared(geometry), polygon, polygon + 1};
+        const auto first = static_cast<std::uint32_t>(fresh_.size());
+        if (side == Clip::Side::inside) {
+            fresh_.add(here);
+        } else {
+            Polygons whole;
+            whole.add(here);
+            fresh_.add_all(intersect(whole, clip_->polygons()));
+        }
+        return {to_be_added, first, static_cast<std::uint32_t>(fresh_.size())};
+    }
+
+    std::uint32_t shared(std::uint32_t geometry) {
+        const auto count = static_cast<std::uint32_t>(to_.geometry.size());
+        const auto [known, is_new] = known_geometry_.emplace(from_.geometry[geometry].get(), count);
+        if (is_new) to_.geometry.push_back(from_.geometry[geometry]);
+        return known->second;
+    }
+
+    Drawing& to_;
+    const Drawing& from_;
+    const Placement& placement_;
+    const bool keeps_geometry_;
+    std::optional<Clip> clip_;
+    std::map<const Polygons*, std::uint32_t> known_geometry_;  // asked, never walked: pointers have no order
+    std::vector<std::size_t> first_polygon_;                   // of each geometry of from_ in pieces_
+    std::vector<std::optional<Pieces>> pieces_;
+    Polygons fresh_;
+};
+
+}  // namespace
+
+void place_drawing(Drawing& to, const Drawing& from, const Placement& placement) {
+    if (from.groups.empty()) return;
+    if (&to == &from) {
+        place_drawing(to, Drawing(from), placement);
+    } else {
+        Placing(to, from, placement).place();
+    }
+}
+
+}  // namespace filigree

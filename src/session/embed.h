@@ -1,0 +1,27 @@
+// Deriving an embedded document inside a shape of another (derivation/embedding.h): what the session hands engines.
+#pragma once
+
+#include "base/job.h"
+#include "derivation/embedding.h"
+#include "engines/tangle/draw.h"
+#include "engines/tangle/tangle.h"
+#include "session/check.h"
+
+namespace filigree {
+
+// A tangle inside a shape, with all that its parts may be asked about.
+struct EmbeddedTangle : EmbeddedRun {
+    std::shared_ptr<const OpenedDocument> opened;
+    std::shared_ptr<const CheckedDocument> checked;
+    PlaneStart start;
+    tangle::Tangle tangle;
+    tangle::Picture picture;  // its choices; the drawing itself is Embedded::drawing
+    Key root;                 // folded into its keys
+    Transform to_host;        // from its coordinates to those of the host
+};
+
+// For the documents that `opened` may embed, which must outlive the result; errors have their places in the sources of
+// the outermost document. Documents whose parameters hold no choice and are not given are read once.
+EmbedFunction embed_function(const OpenedDocument& opened, const Job& job);
+
+}  // namespace filigree

@@ -1,0 +1,160 @@
+#include "session/pick.h"
+
+#include <nlohmann/json.hpp>
+
+#include "base/number_text.h"
+#include "engines/tangle/paths.h"
+#include "session/embed.h"
+
+namespace filigree {
+namespace {
+
+using tangle::none;
+using tangle::Tangle;
+
+// A tangle with what its parts are asked about.
+struct Layer {
+    const OpenedDocument& opened;
+    const CheckedDocument& checked;
+    const Tangle& tangle;
+    std::string prefix;  // of paths
+};
+
+struct Hit {
+    std::uint32_t group = none;
+    std::size_t shape = 0;
+};
+
+// The leaf that is painted last over a point: groups are painted in the order of the steps that made them, children
+// over their parents; marks lie over what they mark.
+Hit leaf_at(const Tangle& tangle, Point at) {
+    Hit hit;
+    bool is_mark = false;
+    for (std::uint32_t g = 0; g < tangle.groups.size(); ++g) {
+        const tangle::Group& group = tangle.groups[g];
+        if (group.consumer != none || group.hidden) continue;
+        for (std::size_t i = 0; i < group.shapes.size(); ++i) {
+            const tangle::Shape& shape = group.shapes[i];
+            if (hit.group != none && is_mark && !shape.is_mark) continue;
+            const PolygonView polygon = tangle.polygon(shape);
+            const Box box = bounds(polygon);
+            if (at.x < box.min.x || at.y < box.min.y || at.x > box.max.x || at.y > box.max.y) continue;
+            if (locate(polygon, at) < 0) continue;
+            hit = {g, i};
+            is_mark = shape.is_mark;
+        }
+    }
+    return hit;
+}
+
+std::string argument_text(const ArgumentValue& argument, std::size_t shape) { return to_text(argument.at(shape)); }
+
+PickedStep picked_step(const Layer& layer, std::uint32_t number, std::size_t shape) {
+    const tangle::Step& step = layer.tangle.steps[number];
+    const tangle::Rule& rule = layer.checked.grammar->rules[step.rule];
+    PickedStep picked;
+    picked.path = layer.prefix + tangle::path_of_step(layer.tangle, *layer.checked.grammar, number);
+    picked.document = layer.opened.name;
+    picked.rule = rule.segment;
+    picked.operation = std::string(rule.op->description.name);
+    if (rule.span.file < layer.opened.document.sources.size()) {
+        picked.line = line_column(layer.opened.document.sources[rule.span.file].text, rule.span.begin).line;
+    }
+    picked.key = step.key;
+    for (std::size_t i = 0; i < step.arguments.values.size(); ++i) {
+        const ArgumentValue& argument = step.arguments.values[i];
+        const std::string text = argument_text(argument, argument.per_shape.size() > shape ? shape : 0);
+        if (text == tangle::not_given) continue;
+        picked.arguments.emplace_back(std::string(step.arguments.description->parameters[i].name), text);
+    }
+    if (rule.op->scatters) picked.arguments.emplace_back("scatter", to_text(std::uint64_t{step.scatter}));
+    return picked;
+}
+
+// The steps behind a group of one tangle, innermost first.
+void add_chain(const Layer& layer, std::uint32_t group, std::vector<PickedStep>& steps) {
+    for (std::uint32_t at = group; layer.tangle.groups[at].producer != none;) {
+        const std::uint32_t step = layer.tangle.groups[at].producer;
+        steps.push_back(picked_step(layer, step, 0));
+        at = layer.tangle.steps[step].group;
+    }
+}
+
+std::optional<Picked> pick_in(const Layer& layer, Vec at) {
+    const Point point = snap(at);
+    const Hit hit = leaf_at(layer.tangle, point);
+    if (hit.group == none) return std::nullopt;
+    const tangle::Group& group = layer.tangle.groups[hit.group];
+    const tangle::Shape& shape = group.shapes[hit.shape];
+    // What grows in the shape lies over it.
+    if (group.producer != none) {
+        const tangle::Step& step = layer.tangle.steps[group.producer];
+        if (hit.shape < step.embedded.size() && step.embedded[hit.shape]) {
+            const auto& inner = static_cast<const EmbeddedTangle&>(*step.embedded[hit.shape]->run);
+            const std::string prefix =
+                layer.prefix +
+                tangle::path_of_embedded(layer.tangle, *layer.checked.grammar, group.producer, hit.shape) + "/";
+            auto picked =
+                pick_in({*inner.opened, *inner.checked, inner.tangle, prefix}, apply(inverse(inner.to_host), at));
+            if (picked) {
+                add_chain(layer, hit.group, picked->steps);
+                return picked;
+            }
+        }
+    }
+    Picked picked;
+    picked.path = layer.prefix + tangle::path_of_group(layer.tangle, *layer.checked.grammar, hit.group);
+    if (group.shapes.size() > 1 || !group.numbers.empty()) {
+        picked.path += "/" + std::to_string(group.number_of(hit.shape));
+    }
+    picked.tag = layer.checked.grammar->tags[group.tag];
+    picked.key = shape.key;
+    picked.area = area(layer.tangle.polygon(shape));
+    add_chain(layer, hit.group, picked.steps);
+    return picked;
+}
+
+}  // namespace
+
+std::optional<Picked> pick(const OpenedDocument& opened, const CheckedDocument& checked, const Run& run, Vec at) {
+    return pick_in({opened, checked, run.tangle, ""}, at);
+}
+
+std::string picked_text(const Picked& picked) {
+    std::string text = picked.path + "  (" + to_text(picked.area) + " px2, key " + to_hex(picked.key.value) + ")\n";
+    for (const PickedStep& step : picked.steps) {
+        text += "  made by " + step.path + "  (" + step.document + ", line " + std::to_string(step.line) + ")\n";
+        text += "    " + step.operation + "(";
+        for (std::size_t i = 0; i < step.arguments.size(); ++i) {
+            text += (i == 0 ? "" : ", ") + step.arguments[i].first + ": " + step.arguments[i].second;
+        }
+        text += ")\n";
+    }
+    if (picked.steps.empty()) text += "  a shape of the start\n";
+    return text;
+}
+
+std::string picked_json(const Picked& picked) {
+    using Json = nlohmann::ordered_json;
+    Json json;
+    json["path"] = picked.path;
+    json["tag"] = picked.tag;
+    json["key"] = to_hex(picked.key.value);
+    json["area"] = picked.area;
+    json["steps"] = Json::array();
+    for (const PickedStep& step : picked.steps) {
+        Json one;
+        one["path"] = step.path;
+        one["document"] = step.document;
+        one["rule"] = step.rule;
+        one["operator"] = step.operation;
+        one["line"] = step.line;
+        one["key"] = to_hex(step.key.value);
+        one["arguments"] = Json::object();
+        for (const auto& [name, value] : step.arguments) one["arguments"][name] = value;
+        json["steps"].push_back(std::move(one));
+    }
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace filigree
