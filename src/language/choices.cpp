@@ -88,10 +88,9 @@ void record(ChoiceBuffer& buffer, const void* text, std::string_view name, const
     std::size_t place = count;
     for (std::size_t i = count; i > 0 && i + remembered > count; --i) {
         const ChoiceBuffer::Place& known = buffer.places[i - 1];
-        if (known.text == text && known.name == name && known.domain == domain) {
-            place = i - 1;
-            break;
-        }
+        if (known.text != text || known.name != name || !(known.domain == domain)) continue;
+        place = i - 1;
+        break;
     }
     if (place == count) buffer.places.push_back({text, std::string(name), domain});
     buffer.rows.push_back({key, value, static_cast<std::uint32_t>(place), source});

@@ -294,6 +294,10 @@ private:
                    check_style_preset(parameter, *preset.value, opened_.document, checked_.settings->globals));
             return;
         }
+        if (parameter.empty()) {
+            check_definition(preset);
+            return;
+        }
         const ParameterDescription* described = nullptr;
         std::span<const ParameterDescription> all;
         for (const ParameterDescription* special : {&flag, &when, &weight, &scatter}) {
@@ -313,6 +317,17 @@ private:
         if (preset.condition) {
             append(diagnostics_, check_preset_condition(*described, *preset.condition, opened_.document, globals, all));
         }
+    }
+
+    // A `let` or `param` is evaluated before any step, so it may use names of the document alone. Its domain is
+    // looked at when it is.
+    void check_definition(const PresetStatement& preset) {
+        Evaluation at;
+        at.document = &opened_.document;
+        at.scope = &checked_.settings->globals;
+        if (preset.condition) append(diagnostics_, check_expression(*preset.condition, at));
+        at.words = {"*"};  // those of its domain
+        append(diagnostics_, check_expression(*preset.value, at));
     }
 
     // The rules that a `.rule` names must be rules of the tag.

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
-#include "engines/tangle/paths.h"
 #include "engines/tangle/verify.h"
 
 namespace filigree {
@@ -20,20 +19,6 @@ std::string dumped(const Json& json) { return json.dump(2, ' ', false, Json::err
 std::uint32_t line_of(const Document& document, SourceSpan span) {
     if (span.file >= document.sources.size()) return 0;
     return line_column(document.sources[span.file].text, span.begin).line;
-}
-
-Json arguments_json(const Arguments& arguments) {
-    Json json = Json::object();
-    for (std::size_t i = 0; i < arguments.values.size(); ++i) {
-        const ArgumentValue& argument = arguments.values[i];
-        const std::string name(arguments.description->parameters[i].name);
-        if (argument.per_shape.empty()) {
-            json[name] = to_text(argument.common);
-        } else {
-            for (const Value& value : argument.per_shape) json[name].push_back(to_text(value));
-        }
-    }
-    return json;
 }
 
 Json diagnostic_json(const Diagnostic& diagnostic, const Sources& sources) {
@@ -107,62 +92,6 @@ std::string stats_json(const OpenedDocument& opened, const CheckedDocument& chec
     std::uint64_t vertices = 0;
     for (const auto& geometry : run.tangle.geometry) vertices += geometry->points.size();
     json["tangle"] = {{"marks", marks}, {"vertices", vertices}, {"embedded", documents}};
-    return dumped(json);
-}
-
-std::string steps_text(const CheckedDocument& checked, const Document& document, const tangle::Tangle& tangle) {
-    std::string text;
-    for (std::uint32_t s = 0; s < tangle.steps.size(); ++s) {
-        const tangle::Step& step = tangle.steps[s];
-        const tangle::Rule& rule = checked.grammar->rules[step.rule];
-        text += std::to_string(s + 1) + "  " + tangle::path_of_step(tangle, *checked.grammar, s) + "  (line " +
-                std::to_string(line_of(document, rule.span)) + ")  " +
-                std::to_string(tangle.groups[step.group].shapes.size()) + " ->";
-        for (std::uint32_t g = step.first_output; g < step.end_output; ++g) {
-            const tangle::Group& group = tangle.groups[g];
-            const std::string& tag = checked.grammar->tags[group.tag];
-            text += " " + std::to_string(group.shapes.size()) + " " + (group.hidden ? "_" : tag.empty() ? "<>" : tag);
-            if (g + 1 < step.end_output) text += ",";
-        }
-        text += "\n";
-    }
-    return text;
-}
-
-std::string steps_json(const CheckedDocument& checked, const Document& document, const tangle::Tangle& tangle) {
-    Json json;
-    json["engine"] = checked.settings->engine;
-    json["seed"] = checked.settings->seed;
-    const auto group_json = [&](std::uint32_t number) {
-        const tangle::Group& group = tangle.groups[number];
-        Json one;
-        one["number"] = number + 1;
-        one["tag"] = checked.grammar->tags[group.tag];
-        one["path"] = tangle::path_of_group(tangle, *checked.grammar, number);
-        one["key"] = to_hex(group.key.value);
-        one["shapes"] = group.shapes.size();
-        one["depth"] = group.depth;
-        one["leaf"] = group.consumer == tangle::none;
-        return one;
-    };
-    json["starts"] = Json::array();
-    for (std::uint32_t g = 0; g < tangle.start_groups; ++g) json["starts"].push_back(group_json(g));
-    json["steps"] = Json::array();
-    for (std::uint32_t s = 0; s < tangle.steps.size(); ++s) {
-        const tangle::Step& step = tangle.steps[s];
-        const tangle::Rule& rule = checked.grammar->rules[step.rule];
-        Json one;
-        one["number"] = s + 1;
-        one["path"] = tangle::path_of_step(tangle, *checked.grammar, s);
-        one["key"] = to_hex(step.key.value);
-        one["line"] = line_of(document, rule.span);
-        one["operator"] = rule.op->description.name;
-        one["arguments"] = arguments_json(step.arguments);
-        one["group"] = step.group + 1;
-        one["outputs"] = Json::array();
-        for (std::uint32_t g = step.first_output; g < step.end_output; ++g) one["outputs"].push_back(group_json(g));
-        json["steps"].push_back(std::move(one));
-    }
     return dumped(json);
 }
 

@@ -4,6 +4,7 @@
 #include "apps/filigree/commands.h"
 #include "apps/filigree/terminal.h"
 #include "session/describe.h"
+#include "session/list_steps.h"
 #include "session/run.h"
 #include "session/stats.h"
 
@@ -34,8 +35,7 @@ int run_derive(const DeriveCommand& command) {
     const Result<tangle::Tangle> tangle = derive_document(*opened, checked, options, *executor, job);
     const int status = print_diagnostics(tangle.diagnostics(), sources);
     if (!tangle) return status;
-    std::cout << (command.json ? steps_json(checked, opened->document, *tangle)
-                               : steps_text(checked, opened->document, *tangle));
+    std::cout << (command.json ? steps_json(*opened, checked, *tangle) : steps_text(*opened, checked, *tangle));
     return status;
 }
 
