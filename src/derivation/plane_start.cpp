@@ -244,6 +244,8 @@ private:
         } else if (name == "host") {
             if (!set_fit(std::string(arguments.word("fit")), whole)) return;
             pieces.push_back({host_area(), start.tag.text, child(key, 0), number});
+            accept(std::move(pieces), overlap, whole);
+            return;
         } else {
             std::vector<Polyline> outlines = built_in_outline(arguments, settings_.resolution);
             const Vec at = std::get<Vec>(arguments.value("at").data);
@@ -252,7 +254,7 @@ private:
             }
             if (!add_piece(outlines, FillRule::nonzero)) return;
         }
-        accept(std::move(pieces), overlap, whole);
+        accept_own(std::move(pieces), overlap, whole);
     }
 
     // The way in which all host(...) of the document take the host's shape; false, and an error, where two differ.
@@ -326,7 +328,7 @@ private:
                         number, file.span))
                 return;
         }
-        accept(std::move(pieces), "top", file.span);
+        accept_own(std::move(pieces), "top", file.span);
     }
 
     // The area of outlines as one more piece of a start; false, and an error, where it lies off the plane.
@@ -341,6 +343,10 @@ private:
     }
 
     // Later pieces cover, swallow or refuse the earlier ones that they overlap.
+    void accept_own(std::vector<Piece> fresh, const std::string& overlap, SourceSpan span) {
+        has_own_shapes_ = true;
+        accept(std::move(fresh), overlap, span);
+    }
     void accept(std::vector<Piece> fresh, const std::string& overlap, SourceSpan span) {
         double largest = 0;
         for (Piece& piece : fresh) {
@@ -377,6 +383,7 @@ private:
         start.choices = std::move(choices_);
         start.met = std::move(met_);
         start.in_host = host_ != nullptr && !fit_.empty();
+        start.leaves_host = start.in_host && has_own_shapes_;
         start.to_host = to_host_;
         for (const Piece& piece : pieces_) {
             if (piece.area.empty()) continue;
@@ -405,6 +412,7 @@ private:
     std::vector<std::uint32_t> met_;
     std::map<std::string, std::uint32_t> starts_of_tag_;
     std::map<std::string, Key> first_pieces_;  // of each tag
+    bool has_own_shapes_ = false;              // a start is not host(...)
     std::string fit_;                          // of the starts by host(...); empty where there is none
     Transform to_host_;
     std::vector<Piece> pieces_;

@@ -39,6 +39,7 @@ struct PlaneStart {
     ChoiceBuffer choices;            // made in the starts' arguments
     std::vector<std::uint32_t> met;  // presets in force that a start has met
     bool in_host = false;            // whether a start is the host's shape
+    bool leaves_host = false;        // whether another start may reach beyond it
     Transform to_host;               // from this document's coordinates to the host's, where in_host
 
     bool is_same(const PlaneStart& other) const { return polygons == other.polygons && groups == other.groups; }

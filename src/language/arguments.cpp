@@ -35,7 +35,7 @@ public:
         arguments_.values.resize(count);
         for (std::size_t i = 0; i < count; ++i) {
             const std::vector<const Preset*> presets = presets_in_force(choices_, parameter(i).name);
-            if (call_.constants[i] && presets.empty()) {
+            if (call_.constants[i] && presets.empty() && !is_said_of_shapes(i)) {
                 arguments_.values[i].common = *call_.constants[i];
             } else if ((call_.given[i] && presets.empty()) || diagnostics_.empty()) {  // others may need what failed
                 take(i, presets);
@@ -73,7 +73,16 @@ private:
         }
         return names;
     }
+    // Whether a preset of a single shape gives it a value.
+    bool is_said_of_shapes(std::size_t i) const {
+        return !shapes_.empty() &&
+               std::any_of(choices_.shapes.begin(), choices_.shapes.end(), [&](const ShapeChoices& one) {
+                   const auto said = values_for(*choices_.presets, one.accepted, parameter(i).name);
+                   return said.size() > values_for(*choices_.presets, choices_.accepted, parameter(i).name).size();
+               });
+    }
     bool varies(std::size_t i, const std::vector<const Preset*>& presets) const {
+        if (is_said_of_shapes(i)) return true;
         const std::vector<std::string_view> varying = varying_before(i);
         if (!call_.given[i] && !varying.empty()) return true;
         return varies_by_shape(*call_.expressions[i]) ||

@@ -62,8 +62,8 @@ struct ShapeContext {
 
 // Evaluates all arguments of a step in order; earlier parameters are visible to later defaults and to presets. `shapes`
 // is read only where an argument varies by shape. Choices are made at (step key, parameter's name), inside each(...)
-// at the shape's key. A preset of the step goes before the document's expression; where an argument varies by shape,
-// one of a single shape (StepChoices::shapes) goes before both. A preset's value is converted and must lie in the
+// at the shape's key. A preset of the step goes before the document's expression, and one of a single shape
+// (StepChoices::shapes) goes before both. A preset's value is converted and must lie in the
 // parameter's range like any other; what is wrong with it is reported where it stands.
 Result<Arguments> evaluate_arguments(const BoundCall& call, const Document& document, const Scope& step_scope,
                                      const StepChoices& choices, Key step, std::span<const ShapeContext> shapes);

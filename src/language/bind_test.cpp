@@ -35,7 +35,7 @@ const OperatorDescription split = {
 
 StepChoices with_seed(std::uint64_t seed) {
     StepChoices choices;
-    choices.seed = seed;
+    choices.seed.value = seed;
     return choices;
 }
 

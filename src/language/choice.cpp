@@ -176,8 +176,8 @@ std::optional<double> place_in(const ChoiceDomain& domain, const Value& value) {
         return static_cast<double>(found - domain.alternatives.begin());
     };
     if (const auto equal = index_of([&](const Value& one) { return one == value; })) return equal;
-    const std::string text = to_text(value);
-    return index_of([&](const Value& one) { return to_text(one) == text; });
+    const std::string text = plain_text(value);
+    return index_of([&](const Value& one) { return plain_text(one) == text; });
 }
 
 }  // namespace filigree

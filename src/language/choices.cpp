@@ -52,8 +52,12 @@ std::string ends_text(const ChoiceDomain& domain) {
 }  // namespace
 
 std::string text_with_unit(const Value& value) {
-    const Quantity* quantity = std::get_if<Quantity>(&value.data);
-    return quantity != nullptr ? number_text(quantity->value, *quantity) : to_text(value);
+    if (const Quantity* quantity = std::get_if<Quantity>(&value.data)) return number_text(quantity->value, *quantity);
+    const ValueList* list = std::get_if<ValueList>(&value.data);
+    if (list == nullptr) return to_text(value);
+    std::string out = "[";
+    for (const Value& item : list->items) out += (out.size() == 1 ? "" : ", ") + text_with_unit(item);
+    return out + "]";
 }
 
 std::string domain_text(const ChoiceDomain& domain) {

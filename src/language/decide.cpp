@@ -54,7 +54,7 @@ public:
     Decision(const StepChoices& choices, std::string_view parameter, const Evaluation& at, const Evaluation& of_presets)
         : choices_(choices), parameter_(parameter), at_(at), of_presets_(of_presets), is_random_(choices.is_random) {
         const bool has_presets = choices.presets != nullptr && !choices.accepted.empty();
-        seed_ = has_presets ? seed_below(choices.accepted, choices.seed) : choices.seed;
+        seed_ = has_presets ? seed_below(choices.accepted, choices.seed) : choices.seed.value;
         if (has_presets) add(choices.accepted, false);
     }
 
@@ -71,8 +71,8 @@ public:
         const Result<std::optional<bool>> is_random = randomness_said(*choices_.presets, accepted, names);
         if (!is_random) return is_random.diagnostics();
         is_random_ = is_random->value_or(is_random_);
-        seed_ = seed_at_node(*choices_.presets, accepted, choices_.seed, choices_.document_seed);
-        seed_ = seed_below(accepted, seed_below(choices_.accepted, seed_));
+        const NodeSeed seed = seed_at_node(*choices_.presets, accepted, choices_.seed);
+        seed_ = seed_below(accepted, {seed_below(choices_.accepted, seed), seed.rerolls});
         said_.clear();
         add(accepted, true);
         add(choices_.accepted, false);
@@ -116,9 +116,9 @@ private:
     std::vector<DrawPreset> draws_;  // the first of each draw counts
     std::list<Names> names_;
 
-    std::uint64_t seed_below(std::span<const std::uint32_t> accepted, std::uint64_t seed) const {
-        if (parameter_.empty()) return seed;  // nothing but the node itself
-        return seed_of_parameter(*choices_.presets, accepted, parameter_, seed, choices_.document_seed);
+    std::uint64_t seed_below(std::span<const std::uint32_t> accepted, const NodeSeed& seed) const {
+        if (parameter_.empty()) return seed.value;  // nothing but the node itself
+        return seed_of_parameter(*choices_.presets, accepted, parameter_, seed);
     }
 
     // `set`s go before `default`s, and those that are added first before the others.

@@ -140,8 +140,11 @@ Result<std::string> with_reroll(const Document& document, std::string_view path_
     const Result<ChoicePath> path = parse_path(path_text);
     if (!path) return path.diagnostics();
     const std::string& text = document.text();
-    const Statement* const old = find_last<RerollStatement>(
+    const Statement* old = find_last<RerollStatement>(
         document, [&](const RerollStatement& reroll) { return same_path(reroll.path, *path); });
+    // What is said before a `keep` is kept by it.
+    const Statement* const keep = find_last<KeepStatement>(document, [](const KeepStatement&) { return true; });
+    if (old != nullptr && keep != nullptr && old->span.begin < keep->span.begin) old = nullptr;
     const RerollStatement* const reroll = old == nullptr ? nullptr : &std::get<RerollStatement>(old->node);
     const std::uint64_t times = (reroll == nullptr ? 0 : std::uint64_t{reroll->times}) + more;
     if (times > max_rerolls) {

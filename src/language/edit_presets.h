@@ -30,8 +30,8 @@ Result<std::string> with_keep(const Document& document, std::string_view path);
 // Without every `keep` of this path; where there is none, the error edit.no-such-keep.
 Result<std::string> without_keep(const Document& document, std::string_view path);
 
-// `reroll PATH x N`: the last one's N is raised by `more`, else one is added. Beyond max_rerolls (parse.h) the error
-// edit.too-many-rerolls.
+// `reroll PATH x N`: the last one's N is raised by `more`, unless a `keep` stands behind it; else one is added. Beyond
+// max_rerolls (parse.h) the error edit.too-many-rerolls.
 Result<std::string> with_reroll(const Document& document, std::string_view path, std::uint32_t more = 1);
 
 // `apply CALL to TARGET, TARGET -> OUTPUTS`. `call`: "[NAME =] outline(5)"; `outputs`: "in, ring", or empty.

@@ -140,7 +140,10 @@ TEST(WithoutKeep, TakesTheStatementOut) {
 TEST(WithReroll, CountsOn) {
     EXPECT_EQ(rerolled("unit mm", "a/b"), "unit mm\nreroll a/b\n");
     EXPECT_EQ(rerolled("", "a/b", 3), "reroll a/b x 3\n");
-    EXPECT_EQ(rerolled("reroll a/b;keep c # note\n", "a/b"), "reroll a/b x 2;keep c # note\n");
+    EXPECT_EQ(rerolled("reroll a/b;seed 5 # note\n", "a/b"), "reroll a/b x 2;seed 5 # note\n");
+    // What stands before a keep is kept by it.
+    EXPECT_EQ(rerolled("reroll a\nkeep a/b\n", "a"), "reroll a\nkeep a/b\nreroll a\n");
+    EXPECT_EQ(rerolled("reroll a\nkeep a/b\nreroll a\n", "a"), "reroll a\nkeep a/b\nreroll a x 2\n");
     EXPECT_EQ(rerolled("reroll a/b  # note\n", "a/b", 5), "reroll a/b x 6  # note\n");
     EXPECT_EQ(rerolled("reroll a/b x  09 # note\n", "a/b"), "reroll a/b x  10 # note\n");
     EXPECT_EQ(rerolled("reroll a/b x3", "a/b", 4), "reroll a/b x7");

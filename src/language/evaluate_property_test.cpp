@@ -335,7 +335,7 @@ TEST(RandomTrees, NeverCrashAndErrorsHaveAPlace) {
             }
             const Scope step = example_scope(step_names(), &globals);
             StepChoices choices;
-            choices.seed = seed;
+            choices.seed.value = seed;
             const Result<Arguments> arguments = evaluate_arguments(*call, document, step, choices, Key{1}, shapes);
             if (!arguments) {
                 ASSERT_TRUE(all_placed(arguments.diagnostics())) << seed;

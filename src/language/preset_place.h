@@ -35,7 +35,7 @@ struct PresetPlace {
         accepted_here = accepted_at(path);
         shapes.clear();
         buffer = {};
-        choices = {&presets, accepted_here, seed_at_node(presets, accepted_here, seed, seed), seed};
+        choices = {&presets, accepted_here, seed_at_node(presets, accepted_here, {seed, nullptr})};
         choices.replay = &replay;
         choices.record = &buffer;
         const Result<bool> is_random = is_random_at(presets, accepted_here, globals);

@@ -13,18 +13,18 @@ PresetWalk begin_walk(const DocumentSite& site, const Document& document, const 
     const auto first_own = static_cast<std::uint32_t>(site.outer.all.size());
     walk.presets = with_presets_of(site.outer, document, globals, walk.document_seed);
     walk.root.state = begin_presets(walk.presets, first_own, site.host.state);
-    walk.root.seed = site.is_embedded ? site.host.seed : seed;
+    walk.root.seed = site.is_embedded ? site.host.seed : NodeSeed{seed, nullptr};
     return walk;
 }
 
-PresetNode node_in_state(const PresetWalk& walk, PresetState state, std::uint64_t seed_above) {
+PresetNode node_in_state(const PresetWalk& walk, PresetState state, const NodeSeed& seed_above) {
     PresetNode node;
     node.state = std::move(state);
     node.seed = seed_above;
     if (!node.state) return node;
     node.accepted = accepted(walk.presets, node.state);
     if (!node.accepted.empty()) {
-        node.seed = seed_at_node(walk.presets, node.accepted, seed_above, walk.document_seed);
+        node.seed = seed_at_node(walk.presets, node.accepted, seed_above);
     }
     return node;
 }
@@ -51,7 +51,6 @@ Result<StepChoices> choices_at(const PresetWalk& walk, const PresetNode& node, c
     choices.presets = &walk.presets;
     choices.accepted = node.accepted;
     choices.seed = node.seed;
-    choices.document_seed = walk.document_seed;
     choices.replay = walk.replay;
     choices.record = record;
     if (node.accepted.empty()) return choices;

@@ -21,7 +21,7 @@ namespace filigree {
 struct PresetNode {
     PresetState state;                    // null: no preset can end here or below
     std::vector<std::uint32_t> accepted;  // presets whose path ends here, the one that goes first in front
-    std::uint64_t seed = 0;               // what is drawn here, after the re-rolls on the way
+    NodeSeed seed;                        // what is drawn here, after the re-rolls on the way
 };
 
 // Where a document is derived: on its own, or inside a shape of another.
@@ -51,7 +51,7 @@ PresetWalk begin_walk(const DocumentSite& site, const Document& document, const 
 
 PresetNode node_below(const PresetWalk& walk, const PresetNode& above, const WalkSegment& segment);
 // A node in a state that was found otherwise.
-PresetNode node_in_state(const PresetWalk& walk, PresetState state, std::uint64_t seed_above);
+PresetNode node_in_state(const PresetWalk& walk, PresetState state, const NodeSeed& seed_above);
 // What is on its way by either of two states.
 PresetState joined(const PresetState& a, const PresetState& b);
 // The node of a name behind `let`.

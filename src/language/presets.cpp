@@ -133,19 +133,83 @@ std::vector<PresetItem> items_of(const PresetState& state) { return state ? *sta
 
 // --- seeds ------------------------------------------------------------------------------------------------------
 
-std::uint64_t seed_after(const Presets& presets, std::span<const std::uint32_t> indices, std::string_view parameter,
-                         std::uint64_t seed, std::uint64_t document_seed) {
+std::uint64_t rerolled(std::uint64_t seed, std::uint64_t times) {
+    return times == 0 ? seed : fold(fold(seed, hash_text("reroll")), times);
+}
+
+struct Reroll {
+    std::uint32_t level = 0, statement = 0, times = 0;
+};
+
+// Whether it is said before a keep: in the text, and in an embedded document before those around it.
+bool is_said_before(const Reroll& reroll, const Preset& keep) {
+    return reroll.level != keep.level ? reroll.level > keep.level : reroll.statement < keep.statement;
+}
+
+std::vector<Reroll> rerolls_of(const std::vector<const Preset*>& presets) {
+    std::vector<Reroll> rerolls;
+    for (const Preset* preset : presets) rerolls.push_back({preset->level, preset->statement, preset->times});
+    return rerolls;
+}
+
+}  // namespace
+
+// The re-rolls that end at one node.
+struct RerollTrail {
+    std::uint64_t seed_above = 0;  // where nothing is above
+    std::shared_ptr<const RerollTrail> above = {};
+    std::vector<Reroll> here = {};
+};
+
+namespace {
+
+std::uint64_t times_of(const std::vector<const Preset*>& rerolls) {
     std::uint64_t times = 0;
+    for (const Preset* reroll : rerolls) times += reroll->times;
+    return times;
+}
+
+// The seed behind a trail with only the re-rolls that are said before the keep.
+std::uint64_t seed_kept_by(const Preset& keep, const RerollTrail& trail) {
+    std::vector<const RerollTrail*> nodes;  // innermost first
+    for (const RerollTrail* node = &trail; node != nullptr; node = node->above.get()) nodes.push_back(node);
+    std::uint64_t seed = nodes.back()->seed_above;
+    while (!nodes.empty()) {
+        std::uint64_t times = 0;
+        for (const Reroll& reroll : nodes.back()->here) {
+            if (is_said_before(reroll, keep)) times += reroll.times;
+        }
+        seed = rerolled(seed, times);
+        nodes.pop_back();
+    }
+    return seed;
+}
+
+NodeSeed seed_after(const Presets& presets, std::span<const std::uint32_t> indices, std::string_view parameter,
+                    const NodeSeed& above) {
+    const Preset* keep = nullptr;
+    std::vector<const Preset*> narrower, others;  // re-rolls: those that go before the keep, and the rest
     for (const std::uint32_t index : indices) {
         const Preset& preset = presets.all[index];
         if (preset.path->parameter != parameter) continue;
-        if (preset.kind == PresetKind::reroll) times += preset.times;
-        if (preset.kind == PresetKind::keep) {
-            seed = document_seed;
-            break;
-        }
+        if (preset.kind == PresetKind::keep && keep == nullptr) keep = &preset;
+        if (preset.kind == PresetKind::reroll) (keep == nullptr ? narrower : others).push_back(&preset);
     }
-    return times == 0 ? seed : fold(fold(seed, hash_text("reroll")), times);
+    if (keep == nullptr && narrower.empty()) return above;
+    if (keep == nullptr) {
+        const std::uint64_t value = rerolled(above.value, times_of(narrower));
+        return {value,
+                std::make_shared<const RerollTrail>(RerollTrail{above.value, above.rerolls, rerolls_of(narrower)})};
+    }
+    // Of one place kept and drawn again, the keep holds.
+    const auto same = std::stable_partition(
+        narrower.begin(), narrower.end(), [&](const Preset* reroll) { return !same_path(*reroll->path, *keep->path); });
+    others.insert(others.end(), same, narrower.end());
+    narrower.erase(same, narrower.end());
+    const std::uint64_t kept = seed_kept_by(*keep, {above.value, above.rerolls, rerolls_of(others)});
+    if (narrower.empty()) return {kept, nullptr};
+    const std::uint64_t value = rerolled(kept, times_of(narrower));
+    return {value, std::make_shared<const RerollTrail>(RerollTrail{kept, nullptr, rerolls_of(narrower)})};
 }
 
 }  // namespace
@@ -249,14 +313,13 @@ std::vector<std::uint32_t> accepted(const Presets& presets, const PresetState& s
     return out;
 }
 
-std::uint64_t seed_at_node(const Presets& presets, std::span<const std::uint32_t> accepted, std::uint64_t seed_above,
-                           std::uint64_t document_seed) {
-    return seed_after(presets, accepted, "", seed_above, document_seed);
+NodeSeed seed_at_node(const Presets& presets, std::span<const std::uint32_t> accepted, const NodeSeed& above) {
+    return seed_after(presets, accepted, "", above);
 }
 
 std::uint64_t seed_of_parameter(const Presets& presets, std::span<const std::uint32_t> accepted,
-                                std::string_view parameter, std::uint64_t seed_at_node, std::uint64_t document_seed) {
-    return seed_after(presets, accepted, parameter, seed_at_node, document_seed);
+                                std::string_view parameter, const NodeSeed& at_node) {
+    return seed_after(presets, accepted, parameter, at_node).value;
 }
 
 std::vector<const Preset*> values_for(const Presets& presets, std::span<const std::uint32_t> accepted,

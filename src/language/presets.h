@@ -10,9 +10,9 @@
 // anywhere, a branch, everything; in the same scope the longer path, then the later statement. Longer is the path with
 // more names and shapes in it, then the one with more segments that say which of several groups or shapes.
 //
-// Re-rolls: each node's seed is that of the node above, folded with the times that it is re-rolled itself; `keep`
-// gives it the document's seed again. So a re-roll below a kept place counts, one above or at it does not, unless it
-// is the narrower one.
+// Re-rolls: each node's seed is that of the node above, folded with the times that it is re-rolled itself. `keep` gives
+// it what it would be without the re-rolls that are said behind the keep in the text: what was drawn until then stays,
+// whatever above is drawn again. A re-roll below a kept place counts, and one at it whose path goes before the keep's.
 //
 // Cost: a node's state is proportional to the different beginnings of paths that have come there, not to the presets;
 // everything is immutable and shared, so that any number of threads may walk.
@@ -97,13 +97,19 @@ bool may_pick_shapes(const Presets& presets, const PresetState& state);
 // Indices of the presets whose path ends at this node, the one that goes first in front.
 std::vector<std::uint32_t> accepted(const Presets& presets, const PresetState& state);
 
-// The seed of a node: after the re-rolls and keeps (without a parameter) that end here. The re-rolls that go before
-// every keep count, also where there is one.
-std::uint64_t seed_at_node(const Presets& presets, std::span<const std::uint32_t> accepted, std::uint64_t seed_above,
-                           std::uint64_t document_seed);
-// The seed of one parameter's draws at a node with this seed: after those that name the parameter.
+// What is drawn from at a node, and the re-rolls that led to it: a `keep` goes back to what it would be without those
+// that are said behind it in the text.
+struct RerollTrail;
+struct NodeSeed {
+    std::uint64_t value = 0;
+    std::shared_ptr<const RerollTrail> rerolls = {};  // null: none since the document, or since the last keep
+};
+
+// The seed of a node, after the re-rolls and keeps (without a parameter) that end here.
+NodeSeed seed_at_node(const Presets& presets, std::span<const std::uint32_t> accepted, const NodeSeed& above);
+// The seed of one parameter's draws there: after those that name the parameter.
 std::uint64_t seed_of_parameter(const Presets& presets, std::span<const std::uint32_t> accepted,
-                                std::string_view parameter, std::uint64_t seed_at_node, std::uint64_t document_seed);
+                                std::string_view parameter, const NodeSeed& at_node);
 
 // What is said of one parameter at a node, or of one of its draws (ChoicePath::draw): `set`s, then `default`s, each
 // with the one that goes first in front.

@@ -210,13 +210,13 @@ std::uint64_t rerolled(std::uint64_t seed, std::uint64_t times) { return fold(fo
 // The seed of a place, every node on the way having been passed.
 std::uint64_t seed_of(const Presets& presets, std::string_view place, std::string_view parameter = "") {
     PresetState state = begin_presets(presets, 0, nullptr);
-    std::uint64_t seed = document_seed;
+    NodeSeed seed{document_seed, nullptr};
     for (const PathSegment& segment : path_of(place).segments) {
         state = advance(presets, state, walk_segment(segment));
-        seed = seed_at_node(presets, accepted(presets, state), seed, document_seed);
+        seed = seed_at_node(presets, accepted(presets, state), seed);
     }
-    if (parameter.empty()) return seed;
-    return seed_of_parameter(presets, accepted(presets, state), parameter, seed, document_seed);
+    if (parameter.empty()) return seed.value;
+    return seed_of_parameter(presets, accepted(presets, state), parameter, seed);
 }
 
 TEST(Seeds, OfRerolledNodesAreFoldedWithTheTimes) {
@@ -236,40 +236,52 @@ TEST(Seeds, OfManyTimesDoNotWrapAround) {
     EXPECT_EQ(seed_of(written.presets, "a"), rerolled(7, 5000000000U));
 }
 
-TEST(Seeds, OfKeptNodesAreTheDocuments) {
-    const Written written({reroll("a"), keep("a/b"), reroll("a/b/c")});
-    EXPECT_EQ(seed_of(written.presets, "a"), rerolled(7, 1));
-    EXPECT_EQ(seed_of(written.presets, "a/b"), 7U);
-    EXPECT_EQ(seed_of(written.presets, "a/b/d"), 7U);
-    EXPECT_EQ(seed_of(written.presets, "a/b/c"), rerolled(7, 1));
+TEST(Seeds, OfKeptNodesStayAsTheyWereWhenTheKeepWasSaid) {
+    const Written before({keep("a/b"), reroll("a"), reroll("a/b/c")});
+    EXPECT_EQ(seed_of(before.presets, "a"), rerolled(7, 1));
+    EXPECT_EQ(seed_of(before.presets, "a/b"), 7U);
+    EXPECT_EQ(seed_of(before.presets, "a/b/d"), 7U);
+    EXPECT_EQ(seed_of(before.presets, "a/b/c"), rerolled(7, 1));
+    // What was drawn again before is what is kept.
+    const Written between({reroll("a"), reroll("a/b", 2), keep("a/b"), reroll("a", 5)});
+    const Written without({reroll("a"), reroll("a/b", 2)});
+    EXPECT_EQ(seed_of(between.presets, "a"), rerolled(7, 6));
+    EXPECT_EQ(seed_of(between.presets, "a/b"), seed_of(without.presets, "a/b"));
+    EXPECT_EQ(seed_of(between.presets, "a/b/c"), seed_of(without.presets, "a/b/c"));
 }
 
-TEST(Seeds, OfKeptBranchesAreTheDocumentsAllTheWay) {
-    const Written written({reroll("**"), keep("a/b/**")});
+TEST(Seeds, OfKeptBranchesStayAllTheWay) {
+    const Written written({keep("a/b/**"), reroll("**")});
     EXPECT_EQ(seed_of(written.presets, "a"), rerolled(7, 1));
     EXPECT_EQ(seed_of(written.presets, "a/c"), rerolled(rerolled(7, 1), 1));
     EXPECT_EQ(seed_of(written.presets, "a/b"), 7U);
     EXPECT_EQ(seed_of(written.presets, "a/b/c/d"), 7U);
+    const Written later({reroll("**"), keep("a/b/**"), reroll("a", 3)});
+    const Written without({reroll("**")});
+    EXPECT_EQ(seed_of(later.presets, "a/b"), seed_of(without.presets, "a/b"));
+    EXPECT_EQ(seed_of(later.presets, "a/b/c/d"), seed_of(without.presets, "a/b/c/d"));
+    EXPECT_NE(seed_of(later.presets, "a/c"), seed_of(without.presets, "a/c"));
 }
 
 TEST(Seeds, AreReRolledByTheNarrower) {
     // Both end at a/b. What lies above is kept off also where the narrower re-roll counts.
-    const Written written({reroll("a"), keep("**/b"), reroll("a/b", 2), reroll("**", 5)});
+    const Written written({keep("**/b"), reroll("a"), reroll("a/b", 2), reroll("**", 5)});
     EXPECT_EQ(seed_of(written.presets, "a"), rerolled(7, 6));
     EXPECT_EQ(seed_of(written.presets, "a/b"), rerolled(7, 2));
-    EXPECT_EQ(seed_of(Written({reroll("a/b"), keep("a/b")}).presets, "a/b"), 7U);
-    EXPECT_EQ(seed_of(Written({keep("a/b"), reroll("a/b")}).presets, "a/b"), rerolled(7, 1));
+    // Of one place kept and drawn again, the keep holds.
+    EXPECT_EQ(seed_of(Written({reroll("a/b"), keep("a/b")}).presets, "a/b"), rerolled(7, 1));
+    EXPECT_EQ(seed_of(Written({keep("a/b"), reroll("a/b")}).presets, "a/b"), 7U);
 }
 
-TEST(Seeds, OfKeptParametersAreTheDocuments) {
+TEST(Seeds, OfKeptParametersStayToo) {
     const Written written(
-        {reroll("a"), reroll("a/b"), keep("a/b.x"), reroll("a/b.y"), keep("**.z~2"), reroll("a/b.z")});
-    const std::uint64_t b = rerolled(rerolled(7, 1), 1);
+        {reroll("a"), keep("a/b.x"), reroll("a/b"), reroll("a/b.y"), keep("**.z~2"), reroll("a/b.z")});
+    const std::uint64_t a = rerolled(7, 1), b = rerolled(a, 1);
     EXPECT_EQ(seed_of(written.presets, "a/b"), b);
-    EXPECT_EQ(seed_of(written.presets, "a/b", "x"), 7U);
+    EXPECT_EQ(seed_of(written.presets, "a/b", "x"), a);
     EXPECT_EQ(seed_of(written.presets, "a/b", "y"), rerolled(b, 1));
-    EXPECT_EQ(seed_of(written.presets, "a/b", "z"), rerolled(7, 1));
-    EXPECT_EQ(seed_of(written.presets, "a/c", "z"), 7U);
+    EXPECT_EQ(seed_of(written.presets, "a/b", "z"), rerolled(b, 1));
+    EXPECT_EQ(seed_of(written.presets, "a/c", "z"), a);
 }
 
 // --- against an oracle ------------------------------------------------------------------------------------------

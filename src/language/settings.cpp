@@ -302,7 +302,7 @@ private:
 
         std::optional<Value> value;
         if (const Value* known = given(param.name.text)) {
-            value = *known;
+            value = given_value(param.name, *known, at);
         } else {
             value = defined_value(param.name, is_kept ? kept : *param.value, at);
         }
@@ -311,6 +311,16 @@ private:
         if (!problem) problem = outside(*domain, *value, document_, param.value->span);
         if (!problem) return value;
         report(std::move(*problem));
+        return std::nullopt;
+    }
+    // What the embedding document gives for a parameter, unless a preset says otherwise.
+    std::optional<Value> given_value(const Name& name, const Value& given, const Evaluation& at) {
+        const PresetNode node = definition_node(walk_, name.text);
+        const Result<StepChoices> choices = choices_at(walk_, node, settings_.globals, &settings_.definitions);
+        Result<std::optional<Value>> preset =
+            choices ? preset_value(*choices, "", at) : Result<std::optional<Value>>(choices.diagnostics());
+        if (preset) return preset->value_or(given);
+        append(diagnostics_, std::move(preset).diagnostics());
         return std::nullopt;
     }
     static bool is_whole(double value) { return value == std::round(value); }

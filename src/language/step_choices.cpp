@@ -62,9 +62,9 @@ Result<std::uint32_t> draw_scatter(const StepChoices& choices, Key step, const S
         value = 2147483648.0;
         source = ChoiceSource::middle;
     } else {
-        std::uint64_t seed = choices.seed;
+        std::uint64_t seed = choices.seed.value;
         if (choices.presets != nullptr && !choices.accepted.empty()) {
-            seed = seed_of_parameter(*choices.presets, choices.accepted, name, seed, choices.document_seed);
+            seed = seed_of_parameter(*choices.presets, choices.accepted, name, choices.seed);
         }
         value = static_cast<double>(random_bits(seed, step, name) >> 32);
     }

@@ -32,8 +32,7 @@ struct ShapeChoices {
 struct StepChoices {
     const Presets* presets = nullptr;              // null: none
     std::span<const std::uint32_t> accepted = {};  // at this node (presets.h), the one that goes first in front
-    std::uint64_t seed = 0;                        // of this node, after re-rolls
-    std::uint64_t document_seed = 0;               // what `keep PATH.name` goes back to
+    NodeSeed seed = {};                            // of this node, after re-rolls
     bool is_random = true;                         // at this node
     const Replay* replay = nullptr;
     ChoiceBuffer* record = nullptr;

@@ -192,7 +192,7 @@ TEST_F(StepChoosing, ChoicesInConditionsHaveNamesOfTheirOwn) {
         place.replay.add(recorder.choices.keys[row], recorder.choices.name_table[recorder.choices.names[row]],
                          value_of(recorder.choices, row));
     }
-    place.choices.seed = 99;
+    place.choices.seed.value = 99;
     EXPECT_EQ(with("5..9"), value);
     place.replay.add(step_key, "distance?when", number_value(1));
     EXPECT_EQ(with("5..9"), value);
@@ -221,7 +221,7 @@ TEST_F(StepChoosing, WithoutAParameterItIsTheNodeItself) {
     Evaluation at = evaluation("rows");
     const std::string value = shown(evaluate_with(place.choices, "", *expression_of("3"), at));
     EXPECT_EQ(place.rows(step_key), "rows: 5..9 set " + value + "\n");
-    at.site.seed = place.choices.seed;
+    at.site.seed = place.choices.seed.value;
     EXPECT_NE(place.choices.seed, place.seed);
     EXPECT_EQ(value, shown(evaluate(*expression_of("5..9"), at))) << "re-rolled once";
 }
@@ -238,11 +238,11 @@ TEST_F(StepChoosing, AllRecordedValuesReplayWithoutThePresetsOfTheSeed) {
                        value_of(recorder.choices, row));
         }
         place.choices.replay = &replay;
-        place.choices.seed = 1234;
+        place.choices.seed.value = 1234;
         EXPECT_EQ(with("(0..10) + (1..2)", name), value) << name;
         place.choices.replay = nullptr;
         EXPECT_NE(with("(0..10) + (1..2)", name), value) << name;
-        place.choices.seed = place.seed;
+        place.choices.seed.value = place.seed;
     }
 }
 

@@ -30,7 +30,7 @@ public:
         for (const std::uint32_t i : of_tag.rules) {
             const StyleRule& rule = sheet_.rules[i];
             StepChoices choices;
-            choices.seed = sheet_.settings->seed;
+            choices.seed.value = sheet_.settings->seed;
             if (choices_) {
                 Result<StepChoices> at_rule = choices_(rule.segment);
                 if (!at_rule) return std::move(at_rule).diagnostics();

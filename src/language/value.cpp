@@ -84,6 +84,11 @@ std::string to_text(const Value& value) {
     return std::move(writer.out);
 }
 
+std::string plain_text(const Value& value) {
+    const std::string* text = std::get_if<std::string>(&value.data);
+    return text != nullptr ? *text : to_text(value);
+}
+
 std::string_view kind_of(const Value& value) { return std::visit(KindNamer{}, value.data); }
 
 }  // namespace filigree

@@ -62,6 +62,8 @@ struct NamedValue {
 
 // As a document would write it: 25, 30deg, "text", [1, 2], turn(30). Lengths in px without a unit.
 std::string to_text(const Value& value);
+// The same, but a text without its quotes.
+std::string plain_text(const Value& value);
 // "a number", "a length", "a list", ... for messages.
 std::string_view kind_of(const Value& value);
 

@@ -4,6 +4,7 @@
 
 #include "language/style.h"
 #include "session/engines.h"
+#include "session/list_choices.h"
 #include "session/path_graph.h"
 
 namespace filigree {
@@ -101,10 +102,17 @@ CheckedDocument check_inside(const OpenedDocument& opened, const DocumentSite& s
 }  // namespace
 
 CheckedDocument check_document(const OpenedDocument& opened, const Replay* replay) {
-    DocumentSite site;
-    site.replay = replay;
-    CheckedDocument checked = check_inside(opened, site);
     Diagnostics all = opened.diagnostics;
+    std::shared_ptr<const Replay> own;
+    if (!opened.choices.empty()) {
+        Result<Replay> read = read_choices(opened.choices);
+        append(all, read.diagnostics());
+        if (read) own = std::make_shared<const Replay>(std::move(*read));
+    }
+    DocumentSite site;
+    site.replay = replay != nullptr ? replay : own.get();
+    CheckedDocument checked = check_inside(opened, site);
+    checked.replay = std::move(own);
     append(all, std::move(checked.diagnostics));
     checked.diagnostics = std::move(all);
     return checked;

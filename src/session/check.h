@@ -19,11 +19,12 @@ struct CheckedDocument {
     std::optional<PlaneStart> start;         // likewise
     std::vector<const GroupRule*> rules;     // as they stand in the document
     tangle::RuleGraph graph;
+    std::shared_ptr<const Replay> replay;  // of OpenedDocument::choices; null where there are none
     std::vector<std::shared_ptr<const CheckedDocument>> embedded;  // of OpenedDocument::embedded; null where that is
     Diagnostics diagnostics;  // of opening and checking, errors and warnings, with those of embedded documents
 };
 
-// `opened` must outlive the result.
+// `opened` must outlive the result. `replay`: choices to be taken instead of drawing, before those of the document.
 CheckedDocument check_document(const OpenedDocument& opened, const Replay* replay = nullptr);
 
 // The tags of the starts, in the order of their mention; those of an SVG's layers behind them.

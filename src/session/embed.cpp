@@ -110,8 +110,8 @@ private:
         return std::shared_ptr<const CheckedDocument>(std::move(checked));
     }
 
-    // The drawing in the host's coordinates: where no start takes the host's shape, as a picture that covers it, cut
-    // off at its border.
+    // The drawing in the host's coordinates: where no start takes the host's shape, as a picture that covers it. What
+    // may reach beyond the shape is cut off at its border.
     static std::shared_ptr<const Embedded> finished(std::shared_ptr<EmbeddedTangle> run, tangle::Picture picture,
                                                     const EmbedRequest& request) {
         auto embedded = std::make_shared<Embedded>();
@@ -128,10 +128,13 @@ private:
             const Page page{PageStatement::Kind::size, canvas.size.x, canvas.size.y, {}, false};
             const Vec centre = canvas.origin + 0.5 * canvas.size;
             run->to_host = compose(page_onto(page, bounds(request.host), "cover"), translation(-1 * centre));
+        }
+        const bool is_clipped = !run->start.in_host || run->start.leaves_host;
+        if (is_clipped) {
             clip.add(request.host);
             placement.clip = &clip;
         }
-        if (run->start.in_host && is_identity(run->to_host)) {
+        if (!is_clipped && is_identity(run->to_host)) {
             embedded->drawing = std::move(picture.drawing);
         } else {
             placement.transform = run->to_host;
@@ -153,6 +156,17 @@ private:
 };
 
 }  // namespace
+
+void for_each_embedded(const tangle::Tangle& tangle, const std::function<void(const EmbeddedTangle& inner)>& visit) {
+    for (const tangle::Step& step : tangle.steps) {
+        for (const auto& embedded : step.embedded) {
+            if (!embedded) continue;
+            const auto& inner = static_cast<const EmbeddedTangle&>(*embedded->run);
+            visit(inner);
+            for_each_embedded(inner.tangle, visit);
+        }
+    }
+}
 
 EmbedFunction embed_function(const OpenedDocument& opened, const Job& job) {
     if (opened.embedded.empty()) return {};

@@ -1,6 +1,8 @@
 // Deriving an embedded document inside a shape of another (derivation/embedding.h): what the session hands engines.
 #pragma once
 
+#include <functional>
+
 #include "base/job.h"
 #include "derivation/embedding.h"
 #include "engines/tangle/draw.h"
@@ -19,6 +21,9 @@ struct EmbeddedTangle : EmbeddedRun {
     Key root;                 // folded into its keys
     Transform to_host;        // from its coordinates to those of the host
 };
+
+// Calls `visit` for every tangle that grows in a shape of this one, and in those, in the order of the steps.
+void for_each_embedded(const tangle::Tangle& tangle, const std::function<void(const EmbeddedTangle& inner)>& visit);
 
 // For the documents that `opened` may embed, which must outlive the result; errors have their places in the sources of
 // the outermost document. Documents whose parameters hold no choice and are not given are read once.

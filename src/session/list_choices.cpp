@@ -220,7 +220,7 @@ void append_row(std::string& out, const ListedChoice& choice, DomainTexts& domai
     if (const auto* quantity = is_number ? std::get_if<Quantity>(&value.data) : nullptr) {
         out += to_text(quantity->value);
     } else {
-        append_json_text(out, to_text(value));
+        append_json_text(out, plain_text(value));
     }
     out += ", \"domain\": ";
     out += domains.of(choices, choice.row);
@@ -295,7 +295,7 @@ Result<Replay> read_choices(std::string_view text) {
         if (row["value"].is_number()) {
             value.data = Quantity{row["value"].get<double>(), 0, false};
         } else {
-            value.data = Symbol{*text_of("value")};  // as text it is what the alternative is as text
+            value.data = *text_of("value");
         }
         replay.add(Key{*key}, *name, std::move(value));
     }

@@ -64,9 +64,9 @@ Json arguments_json(const Arguments& arguments) {
     for (std::size_t i = 0; i < arguments.values.size(); ++i) {
         const ArgumentValue& argument = arguments.values[i];
         const std::string name(arguments.description->parameters[i].name);
-        const std::string common = to_text(argument.common);
+        const std::string common = text_with_unit(argument.common);
         if (!argument.per_shape.empty()) {
-            for (const Value& value : argument.per_shape) json[name].push_back(to_text(value));
+            for (const Value& value : argument.per_shape) json[name].push_back(text_with_unit(value));
         } else if (common != tangle::not_given) {
             json[name] = common;
         }

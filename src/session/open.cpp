@@ -16,6 +16,9 @@ namespace filigree {
 namespace fs = std::filesystem;
 namespace {
 
+// The name under which an SVG carries replayed choices; no file of a document can have it.
+constexpr const char* carried_choices = "filigree:choices";
+
 // Where a document's files come from: what it carries, or the disk below the folders it may read.
 class InputSource {
 public:
@@ -46,7 +49,7 @@ private:
     Result<std::string> read(const std::string& name) {
         std::error_code failed;
         const fs::path path = fs::path(name).is_absolute() ? fs::path(name) : folder_ / name;
-        const fs::path real = fs::weakly_canonical(path, failed);
+        const fs::path real = fs::weakly_canonical(fs::absolute(path), failed);  // which may not be there
         const bool inside = !failed && std::any_of(roots_.begin(), roots_.end(), [&](const fs::path& root) {
             std::error_code unknown;
             const fs::path top = fs::canonical(root, unknown);
@@ -336,17 +339,26 @@ Result<OpenedDocument> open_document(const fs::path& file, const OpenOptions& op
         }
         const CarriedDocument& inside = **found;
         Inputs inputs;
-        for (const CarriedFile& input : inside.inputs) inputs.push_back({input.name, input.bytes});
+        std::string choices = options.choices;
+        for (const CarriedFile& input : inside.inputs) {
+            if (input.name != carried_choices) {
+                inputs.push_back({input.name, input.bytes});
+            } else if (choices.empty()) {
+                choices = input.bytes;
+            }
+        }
         InputSource source(std::move(inputs));
         OpenedDocument opened = opened_from(inside.document.name, file.string() + ":" + inside.document.name,
                                             inside.document.bytes, source, options);
         opened.files = {file};
         opened.carries_inputs = true;
+        opened.choices = std::move(choices);
         return opened;
     }
     InputSource source(file.parent_path(), options.allowed_folders);
     OpenedDocument opened = opened_from(file.filename().string(), file.string(), std::move(*text), source, options);
     opened.allowed_folders = options.allowed_folders;
+    opened.choices = options.choices;
     opened.folder = file.parent_path();
     opened.files = {file};
     opened.files.insert(opened.files.end(), source.files().begin(), source.files().end());
@@ -369,6 +381,7 @@ OpenedDocument reopened(const OpenedDocument& opened, std::string text) {
     again.allowed_folders = opened.allowed_folders;
     again.folder = opened.folder;
     again.carries_inputs = opened.carries_inputs;
+    again.choices = opened.choices;
     again.files = {opened.files.begin(), opened.files.begin() + (opened.files.empty() ? 0 : 1)};
     again.files.insert(again.files.end(), source.files().begin(), source.files().end());
     return again;
@@ -385,6 +398,7 @@ CarriedDocument carried(const OpenedDocument& opened) {
     CarriedDocument all;
     all.document = {opened.name, opened.document.text()};
     for (const Input& input : opened.inputs) all.inputs.push_back({input.name, input.bytes});
+    if (!opened.choices.empty()) all.inputs.push_back({carried_choices, opened.choices});
     return all;
 }
 

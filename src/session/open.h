@@ -25,6 +25,7 @@ struct OpenOptions {
     std::optional<std::uint64_t> seed;                          // --seed
     std::vector<std::pair<std::string, std::string>> settings;  // --set PATH=VALUE, in order
     std::vector<std::filesystem::path> allowed_folders;         // --allow
+    std::string choices;  // --choices: what `list_choices` wrote, to be taken instead of drawing; empty: none
 };
 
 struct OpenedDocument;
@@ -41,6 +42,7 @@ struct OpenedDocument {
     Inputs inputs;                             // all files it read, under the names that it uses for them
     Diagnostics diagnostics;                   // errors of the language, and warnings; of embedded documents too
     std::vector<std::filesystem::path> files;  // on disk: the document first; what --watch looks at
+    std::string choices;                       // as in OpenOptions; an SVG carries them on
     std::vector<EmbeddedDocument> embedded;    // its systems and those around it; the files that its rules embed
     std::vector<std::filesystem::path> allowed_folders;  // beside its own, as it was opened
     std::filesystem::path folder;                        // where its files are looked up

@@ -47,7 +47,9 @@ Hit leaf_at(const Tangle& tangle, Point at) {
     return hit;
 }
 
-std::string argument_text(const ArgumentValue& argument, std::size_t shape) { return to_text(argument.at(shape)); }
+std::string argument_text(const ArgumentValue& argument, std::size_t shape) {
+    return text_with_unit(argument.at(shape));
+}
 
 PickedStep picked_step(const Layer& layer, std::uint32_t number, std::size_t shape) {
     const tangle::Step& step = layer.tangle.steps[number];

@@ -9,9 +9,9 @@
 namespace filigree {
 namespace {
 
-DocumentSite top_site(const RunOptions& options) {
+DocumentSite top_site(const CheckedDocument& checked, const RunOptions& options) {
     DocumentSite site;
-    site.replay = options.replay;
+    site.replay = options.replay != nullptr ? options.replay : checked.replay.get();
     return site;
 }
 
@@ -56,7 +56,7 @@ Result<tangle::Tangle> derive_document(const OpenedDocument& opened, const Check
     tangle::DeriveOptions derive;
     derive.steps = options.steps;
     derive.previous = options.previous;
-    derive.site = top_site(options);
+    derive.site = top_site(checked, options);
     derive.embed = embed_function(opened, job);
     return tangle::derive(*checked.grammar, *checked.start, *checked.settings, opened.document, derive, executor, job);
 }
@@ -72,8 +72,8 @@ Result<Run> run_document(const OpenedDocument& opened, const CheckedDocument& ch
     const double derived = now_seconds();
     run.times.derive = derived - begin;
 
-    Result<tangle::Picture> picture =
-        tangle::draw(run.tangle, *checked.grammar, settings, opened.document, {options.colour_by, top_site(options)});
+    Result<tangle::Picture> picture = tangle::draw(run.tangle, *checked.grammar, settings, opened.document,
+                                                   {options.colour_by, top_site(checked, options)});
     if (!picture) return picture.diagnostics();
     append(run.diagnostics, picture.diagnostics());
     run.picture = std::move(*picture);
@@ -89,6 +89,11 @@ Result<Run> run_document(const OpenedDocument& opened, const CheckedDocument& ch
     if (options.verify) {
         report(job, "verify", -1);
         run.broken = tangle::broken_invariants(run.tangle);
+        for_each_embedded(run.tangle, [&](const EmbeddedTangle& inner) {
+            for (const std::string& broken : tangle::broken_invariants(inner.tangle)) {
+                run.broken.push_back("in '" + inner.opened->name + "': " + broken);
+            }
+        });
         run.verified = true;
     }
     return run;

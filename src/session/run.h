@@ -21,7 +21,7 @@ struct RunOptions {
     tangle::ColourBy colour_by = tangle::ColourBy::style;
     bool verify = false;
     const tangle::Tangle* previous = nullptr;  // of an earlier state of the document: what still holds is taken over
-    const Replay* replay = nullptr;            // choices to be taken instead of drawing
+    const Replay* replay = nullptr;            // choices to be taken instead of drawing; null: the document's own
 };
 
 struct RunTimes {  // seconds

@@ -7,6 +7,7 @@
 
 #include "base/number_text.h"
 #include "engines/tangle/verify.h"
+#include "session/embed.h"
 
 namespace filigree {
 namespace {
@@ -56,14 +57,14 @@ std::string stats_json(const OpenedDocument& opened, const CheckedDocument& chec
         marks += static_cast<std::uint64_t>(std::count_if(group.shapes.begin(), group.shapes.end(),
                                                           [](const tangle::Shape& shape) { return shape.is_mark; }));
     }
-    std::uint64_t documents = 0;
     for (const tangle::Step& step : run.tangle.steps) {
-        for (const auto& embedded : step.embedded) {
-            if (!embedded) continue;
-            ++documents;
-            elements += embedded->elements;
-        }
+        for (const auto& embedded : step.embedded) elements += embedded ? embedded->elements : 0;
     }
+    std::uint64_t documents = 0, choices = run.tangle.choices.size() + run.picture.choices.size();
+    for_each_embedded(run.tangle, [&](const EmbeddedTangle& inner) {
+        ++documents;
+        choices += inner.tangle.choices.size() + inner.picture.choices.size();
+    });
     const tangle::Areas areas = tangle::areas(run.tangle);
     Json json;
     json["document"] = opened.name;
@@ -88,7 +89,7 @@ std::string stats_json(const OpenedDocument& opened, const CheckedDocument& chec
     }
     json["unmatched"] = Json::array();
     for (const UnmatchedPreset& preset : run.unmatched) json["unmatched"].push_back(preset.path);
-    json["choices"] = run.tangle.choices.size() + run.picture.choices.size();
+    json["choices"] = choices;
     std::uint64_t vertices = 0;
     for (const auto& geometry : run.tangle.geometry) vertices += geometry->points.size();
     json["tangle"] = {{"marks", marks}, {"vertices", vertices}, {"embedded", documents}};

@@ -8,7 +8,6 @@
 #include "apps/filigree/output.h"
 #include "apps/filigree/terminal.h"
 #include "formats/files.h"
-#include "session/list_choices.h"
 #include "session/run.h"
 #include "session/stats.h"
 
@@ -36,64 +35,64 @@ struct Outcome {
 
 Outcome render_once(const RenderCommand& command, Executor& executor, const Job& job) {
     const double begin = now_seconds();
-    const Result<OpenedDocument> opened = open_document(command.document, command.open);
-    if (!opened) return {print_diagnostics(opened.diagnostics(), {}), {command.document}};
-    const Sources& sources = opened->sources;
-    std::vector<fs::path> read = opened->files;
-    std::optional<Replay> replay;
+    std::vector<fs::path> read = {command.document};
+    OpenOptions open = command.open;
     if (!command.choices.empty()) {
         read.push_back(command.choices);
-        const Result<std::string> text = read_file(command.choices);
-        Result<Replay> choices = text ? read_choices(*text) : text.diagnostics();
+        Result<std::string> choices = read_file(command.choices);
         if (!choices) return {print_diagnostics(choices.diagnostics(), {}), read};
-        replay = std::move(*choices);
+        open.choices = std::move(*choices);
+        if (open.choices.empty()) open.choices = " ";  // an empty file is no list of choices
     }
+    const Result<OpenedDocument> opened = open_document(command.document, open);
+    if (!opened) return {print_diagnostics(opened.diagnostics(), {}), read};
+    const Sources& sources = opened->sources;
+    read.insert(read.end(), opened->files.begin(), opened->files.end());
     if (const Diagnostics problems = overwrites(targets_of(command), read); !problems.empty()) {
         return {print_diagnostics(problems, {}), read};
     }
-    const CheckedDocument checked = check_document(*opened, replay ? &*replay : nullptr);
+    const CheckedDocument checked = check_document(*opened);
     const int check_status = print_diagnostics(checked.diagnostics, sources);
-    if (check_status != 0) return {check_status, opened->files};
+    if (check_status != 0) return {check_status, read};
     const double parsed = now_seconds();
 
     RunOptions options;
     options.steps = command.steps;
     options.colour_by = command.colour_by;
     options.verify = command.verify;
-    options.replay = replay ? &*replay : nullptr;
     Result<Run> run = run_document(*opened, checked, options, executor, job);
-    if (!run) return {print_diagnostics(run.diagnostics(), sources), opened->files};
+    if (!run) return {print_diagnostics(run.diagnostics(), sources), read};
     if (command.strict) refuse_unmatched(run->diagnostics);
-    if (const int status = print_diagnostics(run->diagnostics, sources); status != 0) return {status, opened->files};
+    if (const int status = print_diagnostics(run->diagnostics, sources); status != 0) return {status, read};
     run->times.parse = parsed - begin;
 
     const double drawn = now_seconds();
     std::vector<OutputFile> files;
     const CarriedDocument document = carried(*opened);
     for (const fs::path& output : command.outputs) {
-        if (is_cancelled(job)) return {print_diagnostics({cancelled_diagnostic()}, {}), opened->files};
+        if (is_cancelled(job)) return {print_diagnostics({cancelled_diagnostic()}, {}), read};
         report(job, "write", -1);
         Result<std::string> bytes =
             encoded(run->picture.drawing, output,
                     {command.dpi, command.lean, &document, fs::path(opened->name).stem().string()});
-        if (!bytes) return {print_diagnostics(bytes.diagnostics(), {}), opened->files};
+        if (!bytes) return {print_diagnostics(bytes.diagnostics(), {}), read};
         files.push_back({output, std::move(*bytes)});
     }
-    if (is_cancelled(job)) return {print_diagnostics({cancelled_diagnostic()}, {}), opened->files};
+    if (is_cancelled(job)) return {print_diagnostics({cancelled_diagnostic()}, {}), read};
     if (const Diagnostics failed = write_files(files); !failed.empty()) {
-        return {print_diagnostics(failed, {}), opened->files};
+        return {print_diagnostics(failed, {}), read};
     }
     if (!command.stats.empty()) {  // after the pictures: how long writing took is part of it
         run->times.write = now_seconds() - drawn;
         run->times.total = now_seconds() - begin;
         const Diagnostics failed = write_files({{command.stats, stats_json(*opened, checked, *run)}});
-        if (!failed.empty()) return {print_diagnostics(failed, {}), opened->files};
+        if (!failed.empty()) return {print_diagnostics(failed, {}), read};
     }
     clear_progress();
     Diagnostics broken;
     for (const std::string& invariant : run->broken)
         broken.push_back(fault(Fault::internal, "verify.broken", invariant));
-    return {print_diagnostics(broken, {}), opened->files};
+    return {print_diagnostics(broken, {}), read};
 }
 
 std::vector<fs::file_time_type> times_of(const std::vector<fs::path>& files) {

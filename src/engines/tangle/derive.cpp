@@ -215,7 +215,7 @@ private:
     bool is_whole_reusable(std::size_t number, std::uint32_t old_number) const {
         const Group& group = tangle_.groups[number];
         const Group& old = previous_.tangle()->groups[old_number];
-        if (group.seed != old.seed || group.hidden != old.hidden) return false;
+        if (group.seed.value != old.seed.value || group.hidden != old.hidden) return false;
         if (!previous_.has_same_rules(group.tag, old.tag)) return false;
         if (!previous_.has_same_presets(group.presets, old.presets)) return false;
         // A prefix of a derivation does not know what would have become of its last groups.
@@ -237,7 +237,27 @@ private:
         return group.environment == none ? settings_.globals : *environments_.find(group.environment)->second;
     }
 
+    // A preset of a document around this one stands in a text that places of this one cannot mean.
+    void name_outer_presets(Diagnostics& reasons) const {
+        for (Diagnostic& reason : reasons) {
+            for (const Preset& preset : walk_.presets.all) {
+                const bool is_inside = preset.document != &document_ && reason.span.file == preset.span.file &&
+                                       reason.span.begin >= preset.span.begin && reason.span.end <= preset.span.end;
+                if (!is_inside || !preset.value) continue;
+                reason.span = {};
+                reason.hints.push_back("it is said by the preset of " + to_text(*preset.path));
+                break;
+            }
+        }
+    }
+
     Expansion expand(std::size_t number, Executor& executor) const {
+        Expansion expansion = expanded(number, executor);
+        if (!expansion.errors.empty() && options_.site.is_embedded) name_outer_presets(expansion.errors);
+        return expansion;
+    }
+
+    Expansion expanded(std::size_t number, Executor& executor) const {
         const Group& group = tangle_.groups[number];
         Expansion expansion;
         const std::uint32_t old_group = same_group(number);
@@ -391,6 +411,9 @@ private:
         }
         step.end_choice = recorder_.choices.size();
         meet(expansion.node, &rule.op->description);
+        for (const ShapeChoices& of_shape : shape_choices(tangle_.groups[number], rule)) {
+            meet({nullptr, of_shape.accepted, {}}, &rule.op->description);
+        }
         if (const auto applied = applied_preset(node_of(tangle_.groups[number]).accepted)) tangle_.met[*applied] = 1;
 
         const std::uint32_t source = is_taken_over ? expansion.taken_over : expansion.reused;
@@ -453,7 +476,7 @@ private:
     void enter_macro(std::uint32_t number, const Step& step, const Group& group, const Rule& rule) {
         auto scope = std::make_unique<Scope>(outer_scope(group));
         for (std::size_t i = 0; i < step.arguments.values.size(); ++i) {
-            scope->names[std::string(rule.op->description.parameters[i].name)] = step.arguments.values[i].common;
+            scope->names[std::string(rule.op->description.parameters[i].name)] = step.arguments.values[i].at(0);
         }
         environments_[number] = std::move(scope);
     }
@@ -555,12 +578,12 @@ private:
         for (std::size_t i = 0; i < group.shapes.size(); ++i) {
             const auto number = static_cast<std::uint32_t>(i + 1);
             PresetNode shape_node = node_below(walk_, node, {{}, 0, number});
+            meet(shape_node, nullptr);
             if (!applied_preset(shape_node.accepted)) {
                 rest.push_back(group.shapes[i]);
                 numbers.push_back(number);
                 continue;
             }
-            meet(shape_node, nullptr);
             Group picked = group;
             picked.shapes.assign(1, group.shapes[i]);
             picked.key = child(group.key, group.shapes[i].key.value);

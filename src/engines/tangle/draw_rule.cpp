@@ -79,9 +79,7 @@ private:
 
     // The rule that a preset names; none for the word `none`.
     std::optional<Runner> runner_named(const Value& value, const Preset& preset) {
-        const auto* text = std::get_if<std::string>(&value.data);
-        const auto* word = std::get_if<Symbol>(&value.data);
-        const std::string name = text != nullptr ? *text : word != nullptr ? word->name : "";
+        const std::string name = plain_text(value);
         for (const std::uint32_t r : draw_.matching) {
             if (rule(r).segment == name) return Runner{r, 1};
         }
@@ -152,7 +150,7 @@ private:
         if (runners.size() == 1 && source == ChoiceSource::drawn) return std::optional(runners[0].rule);
         if (const Value* replayed = choices.replay ? choices.replay->find(draw_.group, "rule") : nullptr) {
             for (std::size_t i = 0; i < runners.size(); ++i) {
-                if (to_text(*replayed) == to_text(Value{rule(runners[i].rule).segment, {}})) {
+                if (plain_text(*replayed) == rule(runners[i].rule).segment) {
                     return recorded(runners, i, ChoiceSource::replayed);
                 }
             }
@@ -171,10 +169,9 @@ private:
             keys.push_back(rule(runner.rule).key);
             weights.push_back(runner.weight);
         }
-        const std::uint64_t seed =
-            draw_.node.accepted.empty()
-                ? choices.seed
-                : seed_of_parameter(*choices.presets, choices.accepted, "rule", choices.seed, choices.document_seed);
+        const std::uint64_t seed = draw_.node.accepted.empty()
+                                       ? choices.seed.value
+                                       : seed_of_parameter(*choices.presets, choices.accepted, "rule", choices.seed);
         return recorded(runners, race(seed, draw_.group, "rule", keys, weights), source);
     }
 

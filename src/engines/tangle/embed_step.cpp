@@ -4,17 +4,12 @@ namespace filigree::tangle {
 namespace {
 
 PresetNode node_of_shape(const EmbedStep& step, std::size_t shape) {
-    if (!step.group.presets) return step.node;
-    const PresetState of_shape = advance(step.walk.presets, step.group.presets, {{}, 0, step.group.number_of(shape)});
-    if (!of_shape) return step.node;
-    const PresetState state = joined(step.node.state, advance(step.walk.presets, of_shape, {step.rule.segment}));
-    return node_in_state(step.walk, state, step.group.seed);
-}
-
-std::string document_name(const Value& value) {
-    if (const auto* text = std::get_if<std::string>(&value.data)) return *text;
-    const auto* symbol = std::get_if<Symbol>(&value.data);
-    return symbol == nullptr ? "" : symbol->name;
+    if (!may_pick_shapes(step.walk.presets, step.group.presets)) return step.node;
+    const PresetNode group{step.group.presets, {}, step.group.seed};
+    const PresetNode of_shape = node_below(step.walk, group, {{}, 0, step.group.number_of(shape)});
+    if (!of_shape.state) return step.node;
+    const PresetState below = advance(step.walk.presets, of_shape.state, {step.rule.segment});
+    return node_in_state(step.walk, joined(step.node.state, below), of_shape.seed);
 }
 
 bool is_given(const Value& value) {
@@ -43,7 +38,7 @@ Result<std::vector<std::shared_ptr<const Embedded>>> embed_step(const EmbedStep&
         for (std::size_t p = 0; p < parameters.size(); ++p) {
             const Value& value = step.arguments.values[p].at(i);
             if (parameters[p].name == "document") {
-                document = document_name(value);
+                document = plain_text(value);
                 request.is_file = std::holds_alternative<std::string>(value.data);
             } else if (is_given(value)) {
                 request.site.given.emplace_back(std::string(parameters[p].name), value);

@@ -53,7 +53,7 @@ struct Group {
     std::uint32_t picked = 0;            // the number that its one shape had, from 1; 0 for a group that is not picked
     std::vector<std::uint32_t> numbers;  // of the shapes that are left, from 1; empty: all are, in order
     bool hidden = false;                 // its tag is `_`: it keeps its place and is not drawn
-    std::uint64_t seed = 0;              // what is drawn for it, after the re-rolls on the way
+    NodeSeed seed;                       // what is drawn for it, after the re-rolls on the way
     PresetState presets;                 // on their way here
     std::vector<Shape> shapes;
 
