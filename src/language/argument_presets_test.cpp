@@ -172,7 +172,7 @@ TEST_F(ArgumentPresets, OfSingleShapesGoBeforeThoseOfTheStep) {
     EXPECT_EQ(with_shapes("set big_poly/2/spread.size = 7\nset big_poly/spread.size = 8", "each(index)", "size"),
               "8|7|8");
     EXPECT_EQ(with_shapes("set big_poly/1,3/spread.size = 7 when index > 1", "each(index)", "size"), "1|2|7");
-    EXPECT_EQ(with_shapes("set big_poly/2/spread.size = 7", "20", "size"), "20") << "one argument for all";
+    EXPECT_EQ(with_shapes("set big_poly/2/spread.size = 7", "20", "size"), "20|7|20");
     EXPECT_EQ(with_shapes("set **.size = 7", "each(index)", "size"), "7|7|7");
     EXPECT_EQ(rows(), "@100 size: 7 set\n@101 size: 7 set\n@102 size: 7 set\n");
     EXPECT_EQ(with_shapes("set big_poly/2/spread.size~1 = 7", "each(7..7 + index)", "size").substr(0, 1), "7");

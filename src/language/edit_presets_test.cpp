@@ -273,7 +273,14 @@ TEST(EditPresetsProperty, TheOthersStay) {
                                 document.statements.end(), is_later)) {
                     continue;
                 }
-                expected[i] = start + " x " + std::to_string(reroll->times + 1);
+                const bool is_kept = std::any_of(
+                    document.statements.begin() + static_cast<std::ptrdiff_t>(i), document.statements.end(),
+                    [](const Statement& later) { return std::holds_alternative<KeepStatement>(later.node); });
+                if (is_kept) {
+                    expected.push_back(start);
+                } else {
+                    expected[i] = start + " x " + std::to_string(reroll->times + 1);
+                }
                 ASSERT_EQ(right_meanings(with_reroll(document, to_text(reroll->path))), expected) << document.text();
                 ++rerolls;
             }

@@ -301,14 +301,17 @@ private:
         const bool is_kept = call != nullptr && call->name == "normal" && domain && domain->range;
 
         std::optional<Value> value;
-        if (const Value* known = given(param.name.text)) {
+        const Value* known = given(param.name.text);
+        if (known != nullptr) {
             value = given_value(param.name, *known, at);
         } else {
             value = defined_value(param.name, is_kept ? kept : *param.value, at);
         }
         if (!value || !domain) return value;
         std::optional<Diagnostic> problem = end_outside(*param.value, at, *domain);
-        if (!problem) problem = outside(*domain, *value, document_, param.value->span);
+        // A preset's value stands elsewhere.
+        const SourceSpan place = known != nullptr ? param.value->span : value->span;
+        if (!problem) problem = outside(*domain, *value, document_, place);
         if (!problem) return value;
         report(std::move(*problem));
         return std::nullopt;

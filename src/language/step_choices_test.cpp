@@ -222,7 +222,7 @@ TEST_F(StepChoosing, WithoutAParameterItIsTheNodeItself) {
     const std::string value = shown(evaluate_with(place.choices, "", *expression_of("3"), at));
     EXPECT_EQ(place.rows(step_key), "rows: 5..9 set " + value + "\n");
     at.site.seed = place.choices.seed.value;
-    EXPECT_NE(place.choices.seed, place.seed);
+    EXPECT_NE(place.choices.seed.value, place.seed);
     EXPECT_EQ(value, shown(evaluate(*expression_of("5..9"), at))) << "re-rolled once";
 }
 

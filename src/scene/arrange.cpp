@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
+#include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -12,22 +15,37 @@
 #include "plane/edge_tree.h"
 
 namespace filigree {
-namespace {
 
-// A map from equal styles to the first of them; pens are compared by their bits, as NaN equals nothing.
-class StyleIndices {
+// Where geometry and styles stand in a growing drawing: the first of equal ones.
+class DrawingIndex {
 public:
-    explicit StyleIndices(std::vector<Style>& styles) : styles_(styles) {
-        for (std::uint32_t i = 0; i < styles.size(); ++i) known_.emplace(words_of(styles[i]), i);
+    explicit DrawingIndex(Drawing& drawing) : drawing_(drawing) {}
+
+    // Takes in what came to the drawing since the last time.
+    void catch_up() {
+        for (; known_geometry_ < drawing_.geometry.size(); ++known_geometry_) {
+            geometry_.emplace(drawing_.geometry[known_geometry_].get(), static_cast<std::uint32_t>(known_geometry_));
+        }
+        for (; known_styles_ < drawing_.styles.size(); ++known_styles_) {
+            styles_.emplace(words_of(drawing_.styles[known_styles_]), static_cast<std::uint32_t>(known_styles_));
+        }
+    }
+
+    std::uint32_t index_of(const std::shared_ptr<const Polygons>& geometry) {
+        const auto count = static_cast<std::uint32_t>(drawing_.geometry.size());
+        const auto [known, is_new] = geometry_.emplace(geometry.get(), count);
+        if (is_new) drawing_.geometry.push_back(geometry);
+        return known->second;
     }
     std::uint32_t index_of(const Style& style) {
-        const auto [known, is_new] = known_.emplace(words_of(style), static_cast<std::uint32_t>(styles_.size()));
-        if (is_new) styles_.push_back(style);
+        const auto count = static_cast<std::uint32_t>(drawing_.styles.size());
+        const auto [known, is_new] = styles_.emplace(words_of(style), count);
+        if (is_new) drawing_.styles.push_back(style);
         return known->second;
     }
 
 private:
-    using Words = std::array<std::uint64_t, 4>;
+    using Words = std::array<std::uint64_t, 4>;  // of a style: pens are compared by their bits, as NaN equals nothing
 
     static std::uint64_t word_of(const std::optional<Colour>& colour) {
         return colour ? std::bit_cast<std::uint32_t>(*colour) : UINT64_MAX;
@@ -37,9 +55,13 @@ private:
                 static_cast<std::uint64_t>(style.corner)};
     }
 
-    std::vector<Style>& styles_;
-    std::map<Words, std::uint32_t> known_;
+    Drawing& drawing_;
+    std::size_t known_geometry_ = 0, known_styles_ = 0;  // how many were taken in
+    std::map<const Polygons*, std::uint32_t> geometry_;  // asked, never walked: pointers have no order
+    std::map<Words, std::uint32_t> styles_;
 };
+
+namespace {
 
 // Where shapes lie with respect to a clip; most are far from its border.
 class Clip {
@@ -114,10 +136,13 @@ Polygons mapped(PolygonView polygon, const Transform& by) {
 
 class Placing {
 public:
-    Placing(Drawing& to, const Drawing& from, const Placement& placement)
-        : to_(to), from_(from), placement_(placement), keeps_geometry_(placement.transform == Transform{}) {
+    Placing(Drawing& to, DrawingIndex& index, const Drawing& from, const Placement& placement)
+        : to_(to),
+          index_(index),
+          from_(from),
+          placement_(placement),
+          keeps_geometry_(placement.transform == Transform{}) {
         if (placement.clip != nullptr) clip_.emplace(*placement.clip);
-        for (std::uint32_t i = 0; i < to.geometry.size(); ++i) known_geometry_.emplace(to.geometry[i].get(), i);
         std::size_t polygons = 0;
         for (const auto& geometry : from.geometry) {
             first_polygon_.push_back(polygons);
@@ -148,7 +173,6 @@ private:
 
     // Where each shape, and the end, came to stand.
     std::vector<std::uint32_t> add_shapes() {
-        StyleIndices styles(to_.styles);
         std::vector<std::uint32_t> new_style(from_.styles.size(), to_be_added);
         std::vector<std::uint32_t> new_shape;
         new_shape.reserve(from_.shapes.size() + 1);
@@ -157,7 +181,7 @@ private:
             const Pieces pieces = pieces_of(shape.geometry, shape.polygon);
             if (pieces.first == pieces.end) continue;
             std::uint32_t& style = new_style[shape.style];
-            if (style == to_be_added) style = styles.index_of(scaled(from_.styles[shape.style]));
+            if (style == to_be_added) style = index_.index_of(scaled(from_.styles[shape.style]));
             for (std::uint32_t p = pieces.first; p < pieces.end; ++p) {
                 to_.shapes.push_back({pieces.geometry, p, style, shape.key});
             }
@@ -203,7 +227,9 @@ private:
         const PolygonView here = keeps_geometry_ ? view : moved[0];
         const Clip::Side side = clip_ ? clip_->side_of(here) : Clip::Side::inside;
         if (side == Clip::Side::outside) return {};
-        if (side == Clip::Side::inside && keeps_geometry_) return {shared(geometry), polygon, polygon + 1};
+        if (side == Clip::Side::inside && keeps_geometry_) {
+            return {index_.index_of(from_.geometry[geometry]), polygon, polygon + 1};
+        }
         const auto first = static_cast<std::uint32_t>(fresh_.size());
         if (side == Clip::Side::inside) {
             fresh_.add(here);
@@ -215,33 +241,31 @@ private:
         return {to_be_added, first, static_cast<std::uint32_t>(fresh_.size())};
     }
 
-    std::uint32_t shared(std::uint32_t geometry) {
-        const auto count = static_cast<std::uint32_t>(to_.geometry.size());
-        const auto [known, is_new] = known_geometry_.emplace(from_.geometry[geometry].get(), count);
-        if (is_new) to_.geometry.push_back(from_.geometry[geometry]);
-        return known->second;
-    }
-
     Drawing& to_;
+    DrawingIndex& index_;
     const Drawing& from_;
     const Placement& placement_;
     const bool keeps_geometry_;
     std::optional<Clip> clip_;
-    std::map<const Polygons*, std::uint32_t> known_geometry_;  // asked, never walked: pointers have no order
-    std::vector<std::size_t> first_polygon_;                   // of each geometry of from_ in pieces_
+    std::vector<std::size_t> first_polygon_;  // of each geometry of from_ in pieces_
     std::vector<std::optional<Pieces>> pieces_;
     Polygons fresh_;
 };
 
 }  // namespace
 
-void place_drawing(Drawing& to, const Drawing& from, const Placement& placement) {
+DrawingPlacer::DrawingPlacer(Drawing& to) : to_(to), index_(std::make_unique<DrawingIndex>(to)) {}
+DrawingPlacer::~DrawingPlacer() = default;
+
+void DrawingPlacer::place(const Drawing& from, const Placement& placement) {
     if (from.groups.empty()) return;
-    if (&to == &from) {
-        place_drawing(to, Drawing(from), placement);
-    } else {
-        Placing(to, from, placement).place();
-    }
+    if (&to_ == &from) return place(Drawing(from), placement);
+    index_->catch_up();
+    Placing(to_, *index_, from, placement).place();
+}
+
+void place_drawing(Drawing& to, const Drawing& from, const Placement& placement) {
+    DrawingPlacer(to).place(from, placement);
 }
 
 }  // namespace filigree

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 #include "plane/transform.h"
@@ -26,5 +27,22 @@ struct Placement {
 // Shapes keep their keys, and the pieces of one that is cut share its key. Neither canvas nor background come
 // along. Equal styles are joined, if their pens are equal to the last bit.
 void place_drawing(Drawing& to, const Drawing& from, const Placement& placement);
+
+class DrawingIndex;
+
+// Places many drawings in one that grows, as calls of place_drawing would, but a placement takes as long as what
+// it adds, however much is there. In between others may add to the drawing; geometry and styles must stay where
+// they are.
+class DrawingPlacer {
+public:
+    explicit DrawingPlacer(Drawing& to);
+    ~DrawingPlacer();
+
+    void place(const Drawing& from, const Placement& placement);
+
+private:
+    Drawing& to_;
+    std::unique_ptr<DrawingIndex> index_;
+};
 
 }  // namespace filigree

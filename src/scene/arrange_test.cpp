@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -423,6 +424,107 @@ TEST(Arrange, PiecesOfACutShapeShareItsKeyAndRange) {
     place_drawing(to, from, placement);
     EXPECT_EQ(to.shapes.size(), 3U);
     EXPECT_EQ(flaw_of(to), "");
+}
+
+void expect_same(const Drawing& a, const Drawing& b) {
+    EXPECT_EQ(a.canvas, b.canvas);
+    EXPECT_EQ(a.styles, b.styles);
+    ASSERT_EQ(a.geometry.size(), b.geometry.size());
+    for (std::size_t g = 0; g < a.geometry.size(); ++g) EXPECT_EQ(*a.geometry[g], *b.geometry[g]);
+    ASSERT_EQ(a.shapes.size(), b.shapes.size());
+    for (std::size_t s = 0; s < a.shapes.size(); ++s) {
+        EXPECT_EQ(a.shapes[s].geometry, b.shapes[s].geometry);
+        EXPECT_EQ(a.shapes[s].polygon, b.shapes[s].polygon);
+        EXPECT_EQ(a.shapes[s].style, b.shapes[s].style);
+        EXPECT_EQ(a.shapes[s].key, b.shapes[s].key);
+    }
+    ASSERT_EQ(a.groups.size(), b.groups.size());
+    for (std::size_t g = 0; g < a.groups.size(); ++g) {
+        EXPECT_EQ(a.groups[g].path, b.groups[g].path);
+        EXPECT_EQ(a.groups[g].first_shape, b.groups[g].first_shape);
+        EXPECT_EQ(a.groups[g].end_shape, b.groups[g].end_shape);
+        EXPECT_EQ(a.groups[g].first_overlay, b.groups[g].first_overlay);
+        EXPECT_EQ(a.groups[g].end_overlay, b.groups[g].end_overlay);
+        EXPECT_EQ(a.groups[g].children, b.groups[g].children);
+    }
+}
+
+// Also where drawings come again, with geometry of others, or with what the growing one holds itself, and where
+// that is added to in between.
+TEST(Arrange, APlacerGivesWhatSinglePlacementsGive) {
+    for (std::uint64_t n = 0; n < case_count(300); ++n) {
+        CaseRandom random(n);
+        Drawing one_by_one = random.coin() ? random_drawing(random, 1000) : Drawing{};
+        Drawing together = one_by_one;
+        DrawingPlacer placer(together);
+        std::vector<Drawing> sources;
+        for (std::uint64_t key = 5000; key < 8000; key += 1000) sources.push_back(random_drawing(random, key));
+        sources[1].geometry.insert(sources[1].geometry.end(), sources[0].geometry.begin(), sources[0].geometry.end());
+        for (DrawnShape& shape : sources[1].shapes) {
+            if (random.coin()) continue;
+            shape.geometry = static_cast<std::uint32_t>(sources[1].geometry.size() - 1);
+            shape.polygon = 0;
+        }
+        Polygons clip;
+        add_blob(clip, random, 200);
+        for (int i = 0; i < 8; ++i) {
+            if (random.below(4) == 0) {
+                const auto geometry = sources[random.index(sources.size())].geometry.back();
+                const Style style{red, {}, 0.25 * random.below(8), Corner::round};
+                for (Drawing* drawing : {&one_by_one, &together}) {
+                    drawing->geometry.push_back(geometry);
+                    drawing->styles.push_back(style);
+                }
+            }
+            Placement placement;
+            if (random.coin()) placement.transform = random_transform(random);
+            if (random.below(3) == 0) placement.clip = &clip;
+            if (random.coin()) placement.path_prefix = "motif";
+            if (random.coin()) placement.pen_scale = 0.5;
+            if (!together.groups.empty()) {
+                placement.parent = random.below(static_cast<std::uint32_t>(together.groups.size()));
+            }
+            if (i == 6) {
+                place_drawing(one_by_one, one_by_one, placement);
+                placer.place(together, placement);
+                continue;
+            }
+            const Drawing& source = sources[random.index(sources.size())];
+            place_drawing(one_by_one, source, placement);
+            placer.place(source, placement);
+        }
+        ASSERT_EQ(flaw_of(together), "");
+        expect_same(together, one_by_one);
+        if (HasFailure()) return;
+    }
+}
+
+// Four times as many take some four times as long, where they took sixteen times; the fastest of several runs
+// count, as a machine may be busy.
+TEST(Arrange, ManyPlacementsTakeWhatTheyAdd) {
+    std::vector<Drawing> sources;
+    for (int i = 0; i < 20000; ++i) {
+        sources.push_back(some_squares());
+        sources.back().styles[0].pen = i;
+    }
+    const auto seconds_of = [&](std::size_t count) {
+        const auto begin = std::chrono::steady_clock::now();
+        Drawing to;
+        DrawingPlacer placer(to);
+        for (std::size_t i = 0; i < count; ++i) placer.place(sources[i], {});
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+        EXPECT_EQ(to.geometry.size(), count);
+        EXPECT_EQ(to.styles.size(), count);
+        EXPECT_EQ(to.shapes.size(), 4 * count);
+        return seconds.count();
+    };
+    double few = seconds_of(5000), many = seconds_of(20000);
+    for (int run = 0; run < 4 && many > 10 * few; ++run) {
+        few = std::min(few, seconds_of(5000));
+        many = std::min(many, seconds_of(20000));
+    }
+    EXPECT_LT(many, 10 * few);
+    RecordProperty("ratio", std::to_string(many / few));
 }
 
 }  // namespace

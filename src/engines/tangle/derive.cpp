@@ -122,6 +122,7 @@ private:
         recorder_.append(start.choices);
         tangle_.end_start_choice = recorder_.choices.size();
         for (const std::uint32_t preset : start.met) tangle_.met[preset] = 1;
+        meet(node_below(walk_, walk_.root, {"let"}), nullptr);
         for (const auto& [name, value] : settings_.globals.names) meet(definition_node(walk_, name), nullptr);
 
         tangle_.geometry.push_back(std::make_shared<const Polygons>(start.polygons));

@@ -78,6 +78,7 @@ public:
           grammar_(grammar),
           sheet_(std::move(sheet)),
           colour_by_(options.colour_by),
+          job_(options.job),
           walk_(begin_walk(options.site, document, settings.globals, settings.seed)) {
         picture_.met.resize(walk_.presets.all.size());
         const bool may_be_preset = std::any_of(std::begin(style_parameters), std::end(style_parameters),
@@ -99,7 +100,7 @@ public:
         drawing_.groups[0].end_shape = shape_count();
         std::vector<std::string> paths(tangle_.groups.size());
         for (std::uint32_t g = 0; g < tangle_.start_groups; ++g) paths[g] = segment_of_group(tangle_, grammar_, g);
-        for (std::uint32_t s = 0; s < tangle_.steps.size() && errors_.empty(); ++s) {
+        for (std::uint32_t s = 0; s < tangle_.steps.size() && !is_stopped(); ++s) {
             const Step& step = tangle_.steps[s];
             DrawingGroup group;
             group.path = paths[step.group] + "/" + grammar_.rules[step.rule].segment;
@@ -116,15 +117,23 @@ public:
             drawing_.groups[producer == none ? 0 : producer + 1].children.push_back(s + 1);
             drawing_.groups.push_back(std::move(group));
         }
-        for (std::uint32_t s = 0; s < tangle_.steps.size(); ++s) draw_overlay(s);
-        if (!errors_.empty()) return errors_;
-        for (std::uint32_t s = 0; s < tangle_.steps.size(); ++s) place_embedded(s);
+        if (is_stopped()) return errors_;  // not all steps have a group then
+        for (std::uint32_t s = 0; s < tangle_.steps.size() && !is_stopped(); ++s) draw_overlay(s);
+        DrawingPlacer placer(drawing_);
+        for (std::uint32_t s = 0; s < tangle_.steps.size() && !is_stopped(); ++s) place_embedded(s, placer);
+        if (is_stopped()) return errors_;
         picture_.drawing = std::move(drawing_);
         picture_.choices = std::move(recorder_.choices);
         return std::move(picture_);
     }
 
 private:
+    // After an error; a cancelled job becomes one.
+    bool is_stopped() {
+        if (errors_.empty() && is_cancelled(job_)) errors_.push_back(cancelled_diagnostic());
+        return !errors_.empty();
+    }
+
     std::uint32_t shape_count() const { return static_cast<std::uint32_t>(drawing_.shapes.size()); }
 
     void add_shape(const Shape& shape, const Style& style) {
@@ -197,21 +206,21 @@ private:
     }
 
     // What has grown in the shapes of a step, over all that the step itself draws.
-    void place_embedded(std::uint32_t number) {
+    void place_embedded(std::uint32_t number, DrawingPlacer& placer) {
         const Step& step = tangle_.steps[number];
-        for (std::size_t i = 0; i < step.embedded.size(); ++i) {
+        for (std::size_t i = 0; i < step.embedded.size() && !is_stopped(); ++i) {
             if (!step.embedded[i]) continue;
             Placement placement;
             placement.parent = number + 1;
             placement.path_prefix = path_of_embedded(tangle_, grammar_, number, i);
-            place_drawing(drawing_, step.embedded[i]->drawing, placement);
+            placer.place(step.embedded[i]->drawing, placement);
         }
     }
 
     void draw_leaf(std::uint32_t number) {
         const Group& group = tangle_.groups[number];
         if (group.consumer != none || group.hidden) return;
-        for (std::size_t i = 0; i < group.shapes.size() && errors_.empty(); ++i) {
+        for (std::size_t i = 0; i < group.shapes.size() && !is_stopped(); ++i) {
             Style style = base_style(group, group.shapes[i], number);
             if (colour_by_ == ColourBy::style) {
                 if (const auto over = override_of(number, i)) apply(*over, style);
@@ -227,7 +236,7 @@ private:
         DrawingGroup& drawn = drawing_.groups[step + 1];
         drawn.first_overlay = shape_count();
         if (is_named_[group.tag] && colour_by_ == ColourBy::style) {
-            for (std::size_t i = 0; i < group.shapes.size() && errors_.empty(); ++i) {
+            for (std::size_t i = 0; i < group.shapes.size() && !is_stopped(); ++i) {
                 Style style = base_style(group, group.shapes[i], number);
                 const auto over = override_of(number, i);
                 if (!over || !(over->pen || over->stroke)) continue;
@@ -243,6 +252,7 @@ private:
     const Grammar& grammar_;
     StyleSheet sheet_;
     ColourBy colour_by_;
+    const Job& job_;
     std::vector<TagStyle> tag_styles_;  // of each tag
     std::vector<bool> is_named_;        // whether a style names it, other than by *
     const PresetWalk walk_;

@@ -5,6 +5,7 @@
 // draws their borders once more, over what they hold.
 #pragma once
 
+#include "base/job.h"
 #include "base/result.h"
 #include "engines/tangle/grammar.h"
 #include "engines/tangle/tangle.h"
@@ -31,6 +32,7 @@ struct StyledShape {
 struct DrawOptions {
     ColourBy colour_by = ColourBy::style;
     DocumentSite site = {};  // as in the derivation
+    Job job = {};            // its progress is not reported
 };
 
 struct Picture {
@@ -40,7 +42,7 @@ struct Picture {
     std::vector<std::uint8_t> met;    // of each preset in force: whether it met a style
 };
 
-// With what has grown in the shapes of `embed` steps.
+// With what has grown in the shapes of `embed` steps. Fault::limit where the job is cancelled.
 Result<Picture> draw(const Tangle& tangle, const Grammar& grammar, const Settings& settings, const Document& document,
                      const DrawOptions& options);
 

@@ -59,6 +59,7 @@ private:
         if (call == nullptr || call->name != "one_of") {
             const std::optional<Runner> only = runner_named(value_, preset);
             if (!errors_.empty()) return errors_;
+            if (is_elsewhere_) return race_of(all_runners(), choices, ChoiceSource::drawn);
             return only ? recorded({*only}, 0, source) : std::optional<std::uint32_t>();
         }
         // Those that are named race as they would among all: with their own conditions and weights.
@@ -74,7 +75,15 @@ private:
             const std::optional<Runner> running = with_weight(runner->rule, one.weight, preset.document);
             if (running) runners.push_back(*running);
         }
+        if (runners.empty() && is_elsewhere_) return race_of(all_runners(), choices, ChoiceSource::drawn);
         return race_of(std::move(runners), choices, source);
+    }
+
+    // A path such as `**.rule` may name a rule that only other tags have.
+    static bool leaves_tag_open(const ChoicePath& path) {
+        return std::any_of(path.segments.begin(), path.segments.end(), [](const PathSegment& segment) {
+            return segment.kind == PathSegment::Kind::any || segment.kind == PathSegment::Kind::any_depth;
+        });
     }
 
     // The rule that a preset names; none for the word `none`.
@@ -84,6 +93,10 @@ private:
             if (rule(r).segment == name) return Runner{r, 1};
         }
         if (name == "none") return std::nullopt;
+        if (leaves_tag_open(*preset.path)) {
+            is_elsewhere_ = true;
+            return std::nullopt;
+        }
         std::vector<std::string_view> known;
         for (const std::uint32_t r : draw_.matching) known.push_back(rule(r).segment);
         std::vector<std::string> hints = did_you_mean(name, known);
@@ -190,6 +203,7 @@ private:
     const RuleDraw& draw_;
     ChoiceBuffer& record_;
     Value value_;  // of the deciding preset
+    bool is_elsewhere_ = false;  // it names a rule that this tag has not, but another may have
     Diagnostics errors_;
 };
 

@@ -16,6 +16,7 @@ namespace filigree::tangle {
 namespace {
 
 constexpr std::size_t max_macro_depth = 32;  // macros within macros
+constexpr std::size_t max_rules = 100'000;
 
 // An operator that the document defines, with the texts that its description points into.
 struct DefinedOperator {
@@ -44,6 +45,7 @@ public:
     }
 
     Result<Grammar> read(std::span<const std::string> start_tags) {
+        start_tags_ = start_tags;
         for (const std::string& tag : start_tags) tag_index(top_, tag);
         check_macros();
         for (std::size_t i = 0; i < settings_.rules.size(); ++i) {
@@ -101,6 +103,7 @@ private:
         rule.weight = source.weight;
         const bool is_embed = op != nullptr && op->description.name == "embed";
         if (macro != nullptr) {
+            used_macros_.insert(macro);
             rule.kind = RuleKind::macro;
             rule.op = define_macro(*macro);
         } else if (is_embed) {
@@ -285,8 +288,16 @@ private:
 
     // Puts the macro's rules, over local tags, behind the rule that uses it.
     void expand_macro(const OperatorStatement& macro, std::size_t use, Frame& outer) {
-        used_macros_.insert(&macro);
         if (macros_are_wrong_) return;
+        if (grammar_.rules.size() > max_rules) {
+            if (!has_too_many_rules_) {
+                refuse("tangle.too-many-rules",
+                       "the operators of this document expand to more than " + std::to_string(max_rules) + " rules",
+                       grammar_.rules[use].span);
+            }
+            has_too_many_rules_ = true;
+            return;
+        }
         std::size_t depth = 1;
         for (const Frame* at = &outer; at->id != 0; at = at->outer, ++depth) {
             if (at->macro != &macro && depth < max_macro_depth) continue;
@@ -363,8 +374,16 @@ private:
 
     // --- apply ---
 
+    bool is_start_tag(std::string_view name) const {
+        return std::find(start_tags_.begin(), start_tags_.end(), name) != start_tags_.end();
+    }
+
     void add_applied() {
         for (const ApplyStatement* apply : settings_.applies) {
+            if (apply->name && (apply->name->text == "let" || is_start_tag(apply->name->text))) {
+                refuse("apply.name-taken", "paths begin with '" + apply->name->text + "' already", apply->name->span,
+                       {"give the step another name"});
+            }
             GroupRule source;
             source.label = apply->name;
             source.operator_name = apply->operator_name;
@@ -491,11 +510,13 @@ private:
     const Settings& settings_;
     const Document& document_;
     const EmbeddableDocuments& embeddable_;
+    std::span<const std::string> start_tags_;
     Grammar grammar_;
     Diagnostics diagnostics_;
     Frame top_;
     std::size_t frames_ = 0;
     bool macros_are_wrong_ = false;
+    bool has_too_many_rules_ = false;
     std::map<std::pair<std::size_t, std::string>, std::uint32_t> tag_indices_;
     std::map<const OperatorStatement*, const Operator*> macro_operators_;  // looked up only
     std::set<const OperatorStatement*> used_macros_;                       // likewise
