@@ -2,9 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "base/thread_pool.h"
-#include "engines/tangle/derive.h"
 #include "engines/tangle/verify.h"
-#include "formats/svg_write.h"
 #include "session/run.h"
 #include "tests/random_document.h"
 
@@ -15,7 +13,9 @@ using tangle::Tangle;
 
 Result<Tangle> derived(const OpenedDocument& opened, const CheckedDocument& checked, Executor& executor,
                        std::optional<std::uint64_t> steps = std::nullopt) {
-    return tangle::derive(*checked.grammar, *checked.start, *checked.settings, opened.document, {steps}, executor, {});
+    RunOptions options;
+    options.steps = steps;
+    return derive_document(opened, checked, options, executor, {});
 }
 
 bool is_limit(const Diagnostics& diagnostics) {

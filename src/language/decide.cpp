@@ -59,19 +59,16 @@ public:
     }
 
     std::optional<Diagnostics> take_shape(const ShapeChoices& shape) {
-        std::vector<std::uint32_t> accepted;  // those that say it of the shape alone
-        for (const std::uint32_t one : shape.accepted) {
-            const bool is_common =
-                std::find(choices_.accepted.begin(), choices_.accepted.end(), one) != choices_.accepted.end();
-            if (!is_common) accepted.push_back(one);
-        }
-        if (accepted.empty() || choices_.presets == nullptr) return std::nullopt;
+        const std::vector<std::uint32_t> accepted = of_shape_alone(shape.accepted);
+        const std::vector<std::uint32_t> at_shape = of_shape_alone(shape.above);
+        if ((accepted.empty() && at_shape.empty()) || choices_.presets == nullptr) return std::nullopt;
         const Scope no_names;
         const Scope& names = of_presets_.scope != nullptr ? *of_presets_.scope : no_names;
         const Result<std::optional<bool>> is_random = randomness_said(*choices_.presets, accepted, names);
         if (!is_random) return is_random.diagnostics();
         is_random_ = is_random->value_or(is_random_);
-        const NodeSeed seed = seed_at_node(*choices_.presets, accepted, choices_.seed);
+        const NodeSeed above = seed_at_node(*choices_.presets, at_shape, choices_.seed);
+        const NodeSeed seed = seed_at_node(*choices_.presets, accepted, above);
         seed_ = seed_below(accepted, {seed_below(choices_.accepted, seed), seed.rerolls});
         said_.clear();
         add(accepted, true);
@@ -115,6 +112,17 @@ private:
     std::vector<Said> said_;
     std::vector<DrawPreset> draws_;  // the first of each draw counts
     std::list<Names> names_;
+
+    // Those that are not said of the whole step.
+    std::vector<std::uint32_t> of_shape_alone(const std::vector<std::uint32_t>& presets) const {
+        std::vector<std::uint32_t> alone;
+        for (const std::uint32_t one : presets) {
+            const bool is_common =
+                std::find(choices_.accepted.begin(), choices_.accepted.end(), one) != choices_.accepted.end();
+            if (!is_common) alone.push_back(one);
+        }
+        return alone;
+    }
 
     std::uint64_t seed_below(std::span<const std::uint32_t> accepted, const NodeSeed& seed) const {
         if (parameter_.empty()) return seed.value;  // nothing but the node itself

@@ -44,7 +44,7 @@ struct PresetPlace {
     }
     // What is said of the n-th shape, from 1: at this path.
     void add_shape(std::uint32_t number, std::string_view path) {
-        shapes.push_back({number - 1, accepted_at(path)});
+        shapes.push_back({number - 1, accepted_at(path), {}});
         choices.shapes = shapes;
     }
 

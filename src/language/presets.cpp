@@ -139,6 +139,8 @@ std::uint64_t rerolled(std::uint64_t seed, std::uint64_t times) {
 
 struct Reroll {
     std::uint32_t level = 0, statement = 0, times = 0;
+
+    bool operator==(const Reroll&) const = default;
 };
 
 // Whether it is said before a keep: in the text, and in an embedded document before those around it.
@@ -311,6 +313,18 @@ std::vector<std::uint32_t> accepted(const Presets& presets, const PresetState& s
                std::tie(presets.all[b].level, presets.all[b].rank);
     });
     return out;
+}
+
+bool same_seed(const NodeSeed& a, const NodeSeed& b) {
+    if (a.value != b.value) return false;
+    const RerollTrail* first = a.rerolls.get();
+    const RerollTrail* second = b.rerolls.get();
+    for (; first != second && first != nullptr && second != nullptr;
+         first = first->above.get(), second = second->above.get()) {
+        const bool is_last = first->above == nullptr;
+        if (first->here != second->here || (is_last && first->seed_above != second->seed_above)) return false;
+    }
+    return first == second;
 }
 
 NodeSeed seed_at_node(const Presets& presets, std::span<const std::uint32_t> accepted, const NodeSeed& above) {

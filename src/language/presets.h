@@ -105,6 +105,9 @@ struct NodeSeed {
     std::shared_ptr<const RerollTrail> rerolls = {};  // null: none since the document, or since the last keep
 };
 
+// Whether two nodes draw alike, they and every `keep` below them.
+bool same_seed(const NodeSeed& a, const NodeSeed& b);
+
 // The seed of a node, after the re-rolls and keeps (without a parameter) that end here.
 NodeSeed seed_at_node(const Presets& presets, std::span<const std::uint32_t> accepted, const NodeSeed& above);
 // The seed of one parameter's draws there: after those that name the parameter.

@@ -25,8 +25,9 @@ namespace filigree {
 
 // What presets say of a single shape of a step: big_poly/2/outline.distance.
 struct ShapeChoices {
-    std::uint32_t shape = 0;  // index, from 0
-    std::vector<std::uint32_t> accepted;
+    std::uint32_t shape = 0;              // index, from 0
+    std::vector<std::uint32_t> accepted = {};  // at GROUP/SHAPE/RULE
+    std::vector<std::uint32_t> above = {};     // at GROUP/SHAPE: its re-rolls and keeps
 };
 
 struct StepChoices {

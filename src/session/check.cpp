@@ -1,6 +1,10 @@
 #include "session/check.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
 
 #include "language/style.h"
 #include "session/engines.h"
@@ -32,71 +36,101 @@ Diagnostics style_warnings(const Settings& settings, const tangle::Grammar& gram
     return warnings;
 }
 
-// The texts behind each embedded document, on their own: a system's required parameters get example values.
-CheckedDocument check_inside(const OpenedDocument& opened, const DocumentSite& site);
-
+// A system's required parameters get example values.
 DocumentSite example_site(const EmbeddableDocument& info) {
     DocumentSite site;
     for (const std::string& name : info.required) site.given.emplace_back(name, Value{Quantity{1, 0, false}, {}});
     return site;
 }
 
-void check_embedded(const OpenedDocument& opened, CheckedDocument& checked) {
-    for (const EmbeddedDocument& inner : opened.embedded) {
-        if (!inner.opened) {
-            checked.embedded.push_back(nullptr);
-            continue;
-        }
-        auto one = std::make_shared<CheckedDocument>(check_inside(*inner.opened, example_site(inner.info)));
-        append(checked.diagnostics, one->diagnostics);
-        checked.embedded.push_back(std::move(one));
+// What is said of a document as a whole has a place only where it is embedded.
+Diagnostics with_place(Diagnostics diagnostics, SourceSpan place) {
+    if (place.file == SourceSpan::no_file) return diagnostics;
+    for (Diagnostic& diagnostic : diagnostics) {
+        const SourceSpan& span = diagnostic.span;
+        if (span.file == SourceSpan::no_file || span == SourceSpan{0, 0, 0}) diagnostic.span = place;
     }
+    return diagnostics;
 }
 
-CheckedDocument check_inside(const OpenedDocument& opened, const DocumentSite& site) {
-    CheckedDocument checked;
-    for (const Statement& statement : opened.document.statements) {
-        if (const auto* rule = std::get_if<GroupRule>(&statement.node)) checked.rules.push_back(rule);
-    }
-    checked.graph = tangle::rule_graph(checked.rules);
-    const auto take = [&](Diagnostics problems) {
-        append(checked.diagnostics, at_first_source(std::move(problems), opened));
-    };
+// Checks a document and those that it embeds, each on its own and once.
+class Checker {
+public:
+    Diagnostics diagnostics;  // of all of them, with places in the outermost one's sources
 
-    Result<Settings> settings = read_settings(opened.document, site);
-    take(settings.diagnostics());
-    check_embedded(opened, checked);
-    if (!settings) return checked;
-    checked.settings = std::move(*settings);
-    if (checked.settings->engine != "tangle") {
-        if (!checked.settings->engine.empty()) take({unknown_engine(*checked.settings)});
+    CheckedDocument check(const OpenedDocument& opened, const DocumentSite& site) {
+        CheckedDocument checked;
+        for (const Statement& statement : opened.document.statements) {
+            if (const auto* rule = std::get_if<GroupRule>(&statement.node)) checked.rules.push_back(rule);
+        }
+        checked.graph = tangle::rule_graph(checked.rules);
+        const auto take = [&](Diagnostics problems) {
+            append(diagnostics, at_first_source(with_place(std::move(problems), opened.place), opened));
+        };
+        // Nothing of it could be read: all that follows from that would only be said beside the reason.
+        if (opened.has_failed && opened.document.statements.empty()) return checked;
+
+        Result<Settings> settings = read_settings(opened.document, site);
+        take(settings.diagnostics());
+        for (const EmbeddedDocument& inner : opened.embedded) checked.embedded.push_back(check_embedded(inner));
+        if (!settings) return checked;
+        checked.settings = std::move(*settings);
+        if (checked.settings->engine != "tangle") {
+            if (!checked.settings->engine.empty()) take({unknown_engine(*checked.settings)});
+            return checked;
+        }
+        if (checked.settings->symmetry) {
+            take({error("document.no-symmetry", "tangles know no symmetry", checked.settings->symmetry->span)});
+        }
+        // A missing file is said already; the start would only say it again.
+        if (!opened.has_failed) {
+            Result<PlaneStart> start = make_plane_start(*checked.settings, opened.document, opened.inputs, site);
+            take(start.diagnostics());
+            if (start) checked.start = std::move(*start);
+        }
+        const std::vector<std::string> tags = start_tags(opened, *checked.settings);
+        Result<tangle::Grammar> grammar =
+            tangle::read_grammar(*checked.settings, opened.document, tags, embeddable(opened));
+        take(grammar.diagnostics());
+        take(read_styles(*checked.settings, opened.document).diagnostics());
+        if (grammar) {
+            checked.grammar = std::move(*grammar);
+            take(style_warnings(*checked.settings, *checked.grammar));
+            take(check_presets(opened, checked));
+        }
+        std::vector<std::string> produced = tags;  // not by rules: by starts, and by steps that are applied by hand
+        for (const ApplyStatement* apply : checked.settings->applies) {
+            for (const OutputTag& output : apply->outputs) produced.push_back(output.tag);
+        }
+        take(tangle::graph_warnings(checked.graph, checked.rules, opened.document, produced));
         return checked;
     }
-    if (checked.settings->symmetry) {
-        take({error("document.no-symmetry", "tangles know no symmetry", checked.settings->symmetry->span)});
+
+private:
+    std::shared_ptr<const CheckedDocument> check_embedded(const EmbeddedDocument& inner) {
+        if (!inner.opened) return nullptr;
+        const auto known = known_.find(inner.opened.get());
+        if (known != known_.end()) return known->second;
+        auto checked = std::make_shared<const CheckedDocument>(check(*inner.opened, example_site(inner.info)));
+        known_.emplace(inner.opened.get(), checked);
+        return checked;
     }
-    // A missing file is said already; the start would only say it again.
-    if (!has_errors(opened.diagnostics)) {
-        Result<PlaneStart> start = make_plane_start(*checked.settings, opened.document, opened.inputs, site);
-        take(start.diagnostics());
-        if (start) checked.start = std::move(*start);
-    }
-    const std::vector<std::string> tags = start_tags(opened, *checked.settings);
-    Result<tangle::Grammar> grammar =
-        tangle::read_grammar(*checked.settings, opened.document, tags, embeddable(opened));
-    take(grammar.diagnostics());
-    take(read_styles(*checked.settings, opened.document).diagnostics());
-    if (grammar) {
-        checked.grammar = std::move(*grammar);
-        take(style_warnings(*checked.settings, *checked.grammar));
-        take(check_presets(opened, checked));
-    }
-    std::vector<std::string> produced = tags;  // not by rules: by starts, and by steps that are applied by hand
-    for (const ApplyStatement* apply : checked.settings->applies) {
-        for (const OutputTag& output : apply->outputs) produced.push_back(output.tag);
-    }
-    take(tangle::graph_warnings(checked.graph, checked.rules, opened.document, produced));
-    return checked;
+
+    std::map<const OpenedDocument*, std::shared_ptr<const CheckedDocument>> known_;  // looked up only
+};
+
+}  // namespace
+
+namespace {
+
+// Some faults are met on two ways: where a value is used and where its preset is checked.
+Diagnostics each_once(Diagnostics all) {
+    std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::string>> said;
+    std::erase_if(all, [&](const Diagnostic& one) {
+        return one.span.file != SourceSpan::no_file &&
+               !said.emplace(one.span.file, one.span.begin, one.span.end, one.code).second;
+    });
+    return all;
 }
 
 }  // namespace
@@ -111,10 +145,11 @@ CheckedDocument check_document(const OpenedDocument& opened, const Replay* repla
     }
     DocumentSite site;
     site.replay = replay != nullptr ? replay : own.get();
-    CheckedDocument checked = check_inside(opened, site);
+    Checker checker;
+    CheckedDocument checked = checker.check(opened, site);
     checked.replay = std::move(own);
-    append(all, std::move(checked.diagnostics));
-    checked.diagnostics = std::move(all);
+    append(all, std::move(checker.diagnostics));
+    checked.diagnostics = each_once(std::move(all));
     return checked;
 }
 

@@ -20,8 +20,10 @@ struct CheckedDocument {
     std::vector<const GroupRule*> rules;     // as they stand in the document
     tangle::RuleGraph graph;
     std::shared_ptr<const Replay> replay;  // of OpenedDocument::choices; null where there are none
-    std::vector<std::shared_ptr<const CheckedDocument>> embedded;  // of OpenedDocument::embedded; null where that is
-    Diagnostics diagnostics;  // of opening and checking, errors and warnings, with those of embedded documents
+    // Of OpenedDocument::embedded, each checked once and shared like that; null where that is.
+    std::vector<std::shared_ptr<const CheckedDocument>> embedded;
+    // Of opening and checking, errors and warnings, with those of embedded documents; all stand with the outermost one.
+    Diagnostics diagnostics;
 };
 
 // `opened` must outlive the result. `replay`: choices to be taken instead of drawing, before those of the document.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <optional>
 
 #include "engines/tangle/derive.h"
 #include "engines/tangle/draw.h"
@@ -30,22 +31,34 @@ std::uint64_t leaves_of(const tangle::Tangle& tangle) {
     return count;
 }
 
-// The documents that one document may embed, with what is read of them once.
+// What the embedders of one outermost document share: each document that is the same at all its sites is read once.
+struct SharedDocuments {
+    std::mutex mutex;
+    std::map<const OpenedDocument*, std::shared_ptr<const CheckedDocument>> read_once;  // looked up only
+};
+
+// The documents that one document may embed, with functions for those that they embed in turn, in the same order.
 class Embedder {
 public:
-    Embedder(const OpenedDocument& opened, const Job& job) : opened_(opened), job_(job) {
-        for (const EmbeddedDocument& inner : opened.embedded) {
-            inner_.push_back(inner.opened ? embed_function(*inner.opened, job) : EmbedFunction());
-        }
-    }
+    Embedder(const OpenedDocument& opened, const Job& job, std::shared_ptr<SharedDocuments> shared,
+             std::vector<EmbedFunction> inner)
+        : opened_(opened), job_(job), shared_(std::move(shared)), inner_(std::move(inner)) {}
 
     Result<std::shared_ptr<const Embedded>> embed(const EmbedRequest& request) {
-        const std::size_t which = find(request);
-        const EmbeddedDocument& document = opened_.embedded[which];
+        const std::optional<std::size_t> which = find(request);
+        if (!which) return unknown(request);
+        const EmbeddedDocument& document = opened_.embedded[*which];
         auto run = std::make_shared<EmbeddedTangle>();
         run->opened = document.opened;
         run->root = request.site.root;
-        const auto failed = [&](Diagnostics reasons) { return at_first_source(std::move(reasons), *document.opened); };
+        // As places of the sources from those of `opened_` on: whoever derives that one shifts them further.
+        const auto failed = [&](Diagnostics reasons) {
+            for (Diagnostic& reason : reasons) {
+                if (reason.span.file == SourceSpan::no_file) continue;
+                reason.span.file += document.opened->first_source - opened_.first_source;
+            }
+            return reasons;
+        };
 
         Result<std::shared_ptr<const CheckedDocument>> checked = read(document, request);
         if (!checked) return failed(std::move(checked).diagnostics());
@@ -62,7 +75,7 @@ public:
 
         tangle::DeriveOptions options;
         options.site = request.site;
-        options.embed = inner_[which];
+        options.embed = inner_[*which];
         options.element_budget = request.element_budget;
         SerialExecutor serial;
         Result<tangle::Tangle> tangle =
@@ -72,27 +85,37 @@ public:
         run->tangle = std::move(*tangle);
         Result<tangle::Picture> picture =
             tangle::draw(run->tangle, *run->checked->grammar, settings, document.opened->document,
-                         {tangle::ColourBy::style, request.site});
+                         {tangle::ColourBy::style, request.site, {job_.cancel_flag, {}}});
         if (!picture) return failed(std::move(picture).diagnostics());
         return finished(std::move(run), std::move(*picture), request);
     }
 
 private:
-    std::size_t find(const EmbedRequest& request) const {
+    // None where the value is no name of a document, as a preset may say it.
+    std::optional<std::size_t> find(const EmbedRequest& request) const {
         for (std::size_t i = 0; i < opened_.embedded.size(); ++i) {
-            const EmbeddableDocument& info = opened_.embedded[i].info;
-            if (info.is_file == request.is_file && info.name == request.document) return i;
+            const EmbeddedDocument& one = opened_.embedded[i];
+            const bool is_this = one.info.is_file == request.is_file && one.info.name == request.document;
+            if (is_this && one.opened) return i;
         }
-        return 0;  // the grammar was read with these documents, so one has the name
+        return std::nullopt;
+    }
+
+    // Without a place: the caller knows the rule.
+    static Diagnostic unknown(const EmbedRequest& request) {
+        const std::string name = "'" + std::string(request.document) + "'";
+        if (!request.is_file) return error("embed.unknown-system", "there is no system " + name);
+        return error("embed.missing", "the document " + name + " cannot be read", {},
+                     {"files are opened where a rule names them"});
     }
 
     // Settings and grammar at this site. They are the same at all of them unless something is drawn or given.
     Result<std::shared_ptr<const CheckedDocument>> read(const EmbeddedDocument& document, const EmbedRequest& request) {
         const bool may_be_shared = request.site.given.empty() && !request.site.host.state;
         if (may_be_shared) {
-            const std::lock_guard lock(mutex_);
-            const auto known = read_once_.find(document.opened.get());
-            if (known != read_once_.end()) return known->second;
+            const std::lock_guard lock(shared_->mutex);
+            const auto known = shared_->read_once.find(document.opened.get());
+            if (known != shared_->read_once.end()) return known->second;
         }
         auto checked = std::make_shared<CheckedDocument>();
         Result<Settings> settings = read_settings(document.opened->document, request.site);
@@ -104,8 +127,8 @@ private:
         if (!grammar) return std::move(grammar).diagnostics();
         checked->grammar = std::move(*grammar);
         if (may_be_shared && checked->settings->definitions.rows.empty()) {
-            const std::lock_guard lock(mutex_);
-            read_once_.emplace(document.opened.get(), checked);
+            const std::lock_guard lock(shared_->mutex);
+            shared_->read_once.emplace(document.opened.get(), checked);
         }
         return std::shared_ptr<const CheckedDocument>(std::move(checked));
     }
@@ -150,9 +173,33 @@ private:
 
     const OpenedDocument& opened_;
     const Job job_;
-    std::vector<EmbedFunction> inner_;  // of each document that it may embed
-    std::mutex mutex_;
-    std::map<const OpenedDocument*, std::shared_ptr<const CheckedDocument>> read_once_;  // looked up only
+    std::shared_ptr<SharedDocuments> shared_;
+    std::vector<EmbedFunction> inner_;
+};
+
+// Makes one function for each document, however many ways lead to it.
+class EmbedderMaker {
+public:
+    explicit EmbedderMaker(const Job& job) : job_(job) {}
+
+    EmbedFunction make(const OpenedDocument& opened) {
+        if (opened.embedded.empty()) return {};
+        const auto known = made_.find(&opened);
+        if (known != made_.end()) return known->second;
+        std::vector<EmbedFunction> inner;
+        for (const EmbeddedDocument& document : opened.embedded) {
+            inner.push_back(document.opened ? make(*document.opened) : EmbedFunction());
+        }
+        auto embedder = std::make_shared<Embedder>(opened, job_, shared_, std::move(inner));
+        EmbedFunction function = [embedder](const EmbedRequest& request) { return embedder->embed(request); };
+        made_.emplace(&opened, function);
+        return function;
+    }
+
+private:
+    const Job& job_;
+    std::shared_ptr<SharedDocuments> shared_ = std::make_shared<SharedDocuments>();
+    std::map<const OpenedDocument*, EmbedFunction> made_;  // looked up only
 };
 
 }  // namespace
@@ -168,10 +215,6 @@ void for_each_embedded(const tangle::Tangle& tangle, const std::function<void(co
     }
 }
 
-EmbedFunction embed_function(const OpenedDocument& opened, const Job& job) {
-    if (opened.embedded.empty()) return {};
-    auto embedder = std::make_shared<Embedder>(opened, job);
-    return [embedder](const EmbedRequest& request) { return embedder->embed(request); };
-}
+EmbedFunction embed_function(const OpenedDocument& opened, const Job& job) { return EmbedderMaker(job).make(opened); }
 
 }  // namespace filigree

@@ -144,7 +144,7 @@ private:
     void list_styles(const Choices& styles, const std::vector<tangle::StyledShape>& styled) {
         for (const tangle::StyledShape& one : styled) {
             const tangle::Group& group = tangle_.groups[one.group];
-            const Key shape = group.shapes[one.shape].key;
+            const Key shape = tangle::style_key(group, one.shape);
             group_path_ = tangle::path_of_group(tangle_, grammar_, one.group) + "/" +
                           to_text(std::uint64_t{group.number_of(one.shape)});
             for (std::size_t row = one.first_choice; row < one.end_choice; ++row) {

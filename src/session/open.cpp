@@ -1,6 +1,8 @@
 #include "session/open.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "base/number_text.h"
 #include "base/random.h"
@@ -36,10 +38,22 @@ public:
         return bytes;
     }
 
+    // The same for all names of one file, whatever links lead to it.
+    std::string identity(const std::string& name) const {
+        if (!on_disk_) return name;
+        std::error_code failed;
+        const fs::path real = fs::weakly_canonical(fs::absolute(path_of(name)), failed);
+        return failed ? name : real.generic_string();
+    }
+
     const Inputs& loaded() const { return loaded_; }
     const std::vector<fs::path>& files() const { return files_; }
 
 private:
+    fs::path path_of(const std::string& name) const {
+        return fs::path(name).is_absolute() ? fs::path(name) : folder_ / name;
+    }
+
     Result<std::string> find(std::string_view name) const {
         const Input* input = find_input(given_, name);
         if (input != nullptr) return input->bytes;
@@ -48,7 +62,7 @@ private:
 
     Result<std::string> read(const std::string& name) {
         std::error_code failed;
-        const fs::path path = fs::path(name).is_absolute() ? fs::path(name) : folder_ / name;
+        const fs::path path = path_of(name);
         const fs::path real = fs::weakly_canonical(fs::absolute(path), failed);  // which may not be there
         const bool inside = !failed && std::any_of(roots_.begin(), roots_.end(), [&](const fs::path& root) {
             std::error_code unknown;
@@ -82,6 +96,11 @@ Parsed parse_with(const std::string& name, const std::string& text, InputSource&
     return parse_document(name, text, [&](std::string_view included) { return source.load(included); });
 }
 
+bool looks_like_svg(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+    return first != std::string_view::npos && text[first] == '<';
+}
+
 // --- embedded documents ------------------------------------------------------------------------------------------
 
 // The call's arguments that may name the document to embed.
@@ -109,6 +128,11 @@ std::vector<const Expression*> embeddings(const std::vector<Statement>& statemen
     return found;
 }
 
+// A name as a document in `folder` gives it: below that folder, unless it is absolute.
+std::string beside(const std::string& folder, const std::string& name) {
+    return fs::path(name).is_absolute() ? name : folder + name;
+}
+
 std::string folder_of(const std::string& name) {
     const fs::path folder = fs::path(name).parent_path();
     return folder.empty() ? "" : folder.generic_string() + "/";
@@ -123,15 +147,56 @@ std::vector<std::string> parameters_of(const Document& document) {
     return names;
 }
 
-// Opens the documents inside a document, and those inside them. Each file is opened once for each document that embeds
-// it; a document that is inside itself is an error, as are more than max_embedding_depth of them.
+// Differs where one of the parts differs, and is as long for many of them as for one.
+class Fingerprint {
+public:
+    void add(const std::string& part) {
+        first_ = fold(first_, hash_text(part));
+        second_ = fold(second_, hash_text("filigree " + part));
+    }
+    std::string text() const { return to_hex(first_) + to_hex(second_); }
+
+private:
+    std::uint64_t first_ = 0;
+    std::uint64_t second_ = 0;
+};
+
+std::string fingerprint(const OpenedDocument& opened, const std::string& text) {
+    Fingerprint all;
+    all.add(text);
+    for (const Input& input : opened.inputs) {
+        all.add(input.name);
+        all.add(input.bytes);
+    }
+    for (const EmbeddedDocument& inner : opened.embedded) all.add(inner.info.fingerprint);
+    return all.text();
+}
+
+// Opens the documents inside a document, and those inside them. Each file is opened once; a document that is inside
+// itself is an error, as are more than max_embedding_depth of them.
 class EmbeddedOpener {
 public:
-    EmbeddedOpener(InputSource& source, OpenedDocument& outermost) : source_(source), outermost_(outermost) {}
+    // `shown_name`: the outermost document's, for messages; what goes before its own name goes before the others'.
+    EmbeddedOpener(InputSource& source, OpenedDocument& outermost, const std::string& shown_name)
+        : source_(source), outermost_(outermost), on_the_way_{source.identity(outermost.name)} {
+        if (shown_name.ends_with(outermost.name)) {
+            shown_prefix_ = shown_name.substr(0, shown_name.size() - outermost.name.size());
+        }
+    }
+
+    void open_all() { open_inside(outermost_, "", {}); }
+
+private:
+    // What was opened of a file, for all who embed it.
+    struct OpenedFile {
+        EmbeddedDocument document;
+        std::uint32_t height = 0;  // of the longest chain of documents below it
+    };
 
     // `folder`: that of the document, below that of the outermost one. `around`: the systems that it may name.
     void open_inside(OpenedDocument& opened, const std::string& folder, std::vector<EmbeddedDocument> around) {
         opened.embedded = std::move(around);
+        deepest_ = std::max(deepest_, depth_);
         for (const Statement& statement : opened.document.statements) {
             if (const auto* system = std::get_if<SystemStatement>(&statement.node)) {
                 open_system(opened, *system, folder);
@@ -139,13 +204,13 @@ public:
         }
         for (const Expression* named : embeddings(opened.document.statements)) {
             if (const auto* file = std::get_if<TextLiteral>(&named->node)) {
-                open_file(opened, file->text, named->span, folder);
+                embed_file(opened, file->text, named->span, folder);
             }
         }
     }
 
-private:
-    void report(Diagnostic problem, const OpenedDocument& inside) {
+    void report(Diagnostic problem, OpenedDocument& inside) {
+        inside.has_failed = inside.has_failed || problem.severity == Severity::error;
         append(outermost_.diagnostics, at_first_source({std::move(problem)}, inside));
     }
 
@@ -160,6 +225,8 @@ private:
         }
         auto inner = std::make_shared<OpenedDocument>();
         inner->name = system.name.text;
+        inner->place = system.name.span;
+        inner->has_failed = outer.has_failed;  // what could not be read may have been a part of it
         inner->document.sources = outer.document.sources;
         inner->document.units = outer.document.units;
         if (system.unit) inner->document.units[system.name.span.file] = *system.unit;
@@ -179,10 +246,13 @@ private:
                 info.parameters.push_back(name);
             }
         }
+        if (is_too_deep(outer, system.name.span, 0)) {
+            outer.embedded.push_back({std::move(info), nullptr});
+            return;
+        }
         inner->inputs = outer.inputs;
         inner->first_source = outer.first_source;
         load_start_files(*inner, folder);
-        if (is_too_deep(outer, system.name.span)) return;
         // It may name the systems that stand before it, so no two can embed each other; but not itself.
         ++depth_;
         open_inside(*inner, folder, outer.embedded);
@@ -205,55 +275,95 @@ private:
         return system.statements.empty() ? system.name.span.end : system.statements.back().span.end;
     }
 
-    void open_file(OpenedDocument& outer, const std::string& name, SourceSpan span, const std::string& folder) {
+    void embed_file(OpenedDocument& outer, const std::string& name, SourceSpan span, const std::string& folder) {
         for (const EmbeddedDocument& known : outer.embedded) {
             if (known.info.is_file && known.info.name == name) return;
         }
-        const std::string full = fs::path(folder + name).lexically_normal().generic_string();
-        if (std::find(open_files_.begin(), open_files_.end(), full) != open_files_.end()) {
+        const std::string full = fs::path(beside(folder, name)).lexically_normal().generic_string();
+        EmbeddedDocument embedded{{name, true, {}, {}, {}}, nullptr};
+        if (const OpenedFile* file = find_file(outer, name, span, full)) {
+            embedded = file->document;
+            embedded.info.name = name;  // as this document names it
+        }
+        outer.embedded.push_back(std::move(embedded));
+    }
+
+    // Null where there is none at this place, which is reported.
+    const OpenedFile* find_file(OpenedDocument& outer, const std::string& name, SourceSpan span,
+                                const std::string& full) {
+        const std::string identity = source_.identity(full);
+        if (std::find(on_the_way_.begin(), on_the_way_.end(), identity) != on_the_way_.end()) {
             report(error("embed.cycle", "the document '" + name + "' would lie inside itself", span), outer);
-            outer.embedded.push_back({{name, true, {}, {}, {}}, nullptr});
-            return;
+            return nullptr;
         }
-        if (is_too_deep(outer, span)) return;
+        const auto known = files_.find(full);
+        if (known != files_.end()) {
+            if (is_too_deep(outer, span, known->second.height)) return nullptr;
+            deepest_ = std::max(deepest_, depth_ + 1 + known->second.height);
+            return &known->second;
+        }
+        if (is_too_deep(outer, span, 0)) return nullptr;
         Result<std::string> text = source_.load(full);
-        if (!text) {
-            for (Diagnostic reason : text.diagnostics()) {
-                reason.span = span;
-                report(std::move(reason), outer);
-            }
-            outer.embedded.push_back({{name, true, {}, {}, {}}, nullptr});
-            return;
+        for (Diagnostic reason : text.diagnostics()) {
+            reason.span = span;
+            report(std::move(reason), outer);
         }
+        if (!text) return nullptr;
+        if (looks_like_svg(*text)) {
+            report(error("embed.not-a-document", "'" + name + "' is a picture, and only documents can be embedded",
+                         span, {"an SVG can be grown from: start big_poly = file(\"" + name + "\")"}),
+                   outer);
+            return nullptr;
+        }
+        on_the_way_.push_back(identity);
+        const std::uint32_t deepest_elsewhere = std::exchange(deepest_, 0);
+        ++depth_;
+        EmbeddedDocument document = opened_file(name, full, *text);
+        const std::uint32_t height = std::max(deepest_, depth_) - depth_;
+        --depth_;
+        deepest_ = std::max(deepest_, deepest_elsewhere);
+        on_the_way_.pop_back();
+        return &files_.emplace(full, OpenedFile{std::move(document), height}).first->second;
+    }
+
+    EmbeddedDocument opened_file(const std::string& name, const std::string& full, const std::string& text) {
         auto inner = std::make_shared<OpenedDocument>();
         inner->name = name;
+        inner->place = {0, 0, 0};
         inner->first_source = static_cast<std::uint32_t>(outermost_.sources.size());
-        const std::string inner_folder = folder_of(full);
+        const std::string folder = folder_of(full);
         Inputs included;
-        Parsed parsed = parse_document(full, *text, [&](std::string_view other) {
-            Result<std::string> bytes = source_.load(inner_folder + std::string(other));
+        // By the name that it has in its own folder, by which what it includes would include it.
+        Parsed parsed = parse_document(fs::path(full).filename().generic_string(), text, [&](std::string_view other) {
+            Result<std::string> bytes = source_.load(beside(folder, std::string(other)));
             if (bytes) included.push_back({std::string(other), *bytes});
             return bytes;
         });
         inner->document = std::move(parsed.document);
+        for (SourceFile& source : inner->document.sources) source.name = shown(beside(folder, source.name));
         inner->inputs = std::move(included);
         append(outermost_.sources, inner->document.sources);
         for (Diagnostic& problem : parsed.diagnostics) report(std::move(problem), *inner);
-        load_start_files(*inner, inner_folder);
-        open_files_.push_back(full);
-        ++depth_;
-        open_inside(*inner, inner_folder, {});
-        --depth_;
-        open_files_.pop_back();
-        EmbeddableDocument info{name, true, parameters_of(inner->document), {}, fingerprint(*inner, *text)};
-        outer.embedded.push_back({std::move(info), std::move(inner)});
+        EmbeddableDocument info{name, true, {}, {}, {}};
+        // Nothing of it could be read: all that follows from that would only be said beside the reason.
+        if (inner->has_failed && inner->document.statements.empty()) return {std::move(info), nullptr};
+        load_start_files(*inner, folder);
+        open_inside(*inner, folder, {});
+        info.parameters = parameters_of(inner->document);
+        info.fingerprint = fingerprint(*inner, text);
+        return {std::move(info), std::move(inner)};
+    }
+
+    std::string shown(const std::string& full) const {
+        return fs::path(full).is_absolute() ? full : shown_prefix_ + full;
     }
 
     static void append(Sources& to, const Sources& from) { to.insert(to.end(), from.begin(), from.end()); }
     static void append(Diagnostics& to, Diagnostics from) { filigree::append(to, std::move(from)); }
 
-    bool is_too_deep(const OpenedDocument& outer, SourceSpan span) {
-        if (depth_ < max_embedding_depth) return false;
+    // A document with `height` documents below it, one below the present depth.
+    bool is_too_deep(OpenedDocument& outer, SourceSpan span, std::uint32_t height) {
+        if (depth_ + height < max_embedding_depth) return false;
         report(error("embed.too-deep",
                      "documents lie inside documents more than " + std::to_string(max_embedding_depth) + " deep", span),
                outer);
@@ -263,7 +373,7 @@ private:
     void load_start_files(OpenedDocument& opened, const std::string& folder) {
         for (const Name& file : start_files(opened.document)) {
             if (find_input(opened.inputs, file.text) != nullptr) continue;
-            const Result<std::string> bytes = source_.load(folder + file.text);
+            const Result<std::string> bytes = source_.load(beside(folder, file.text));
             if (bytes) opened.inputs.push_back({file.text, *bytes});
             for (Diagnostic reason : bytes.diagnostics()) {
                 reason.span = file.span;
@@ -272,19 +382,13 @@ private:
         }
     }
 
-    static std::string fingerprint(const OpenedDocument& opened, const std::string& text) {
-        std::string all = text + "\n";
-        for (const Input& input : opened.inputs) {
-            all += input.name + " " + std::to_string(input.bytes.size()) + " " + to_hex(hash_text(input.bytes)) + "\n";
-        }
-        for (const EmbeddedDocument& inner : opened.embedded) all += inner.info.fingerprint + "\n";
-        return all;
-    }
-
     InputSource& source_;
     OpenedDocument& outermost_;
-    std::vector<std::string> open_files_;  // those around the place, outermost first
+    std::string shown_prefix_;
+    std::vector<std::string> on_the_way_;      // identities of the files around the place, outermost first
+    std::map<std::string, OpenedFile> files_;  // by their full names; looked up only
     std::uint32_t depth_ = 0;
+    std::uint32_t deepest_ = 0;  // that was reached inside the file that is being opened
 };
 
 OpenedDocument opened_from(std::string name, const std::string& shown_name, std::string text, InputSource& source,
@@ -313,16 +417,12 @@ OpenedDocument opened_from(std::string name, const std::string& shown_name, std:
             opened.diagnostics.push_back(std::move(reason));
         }
     }
+    opened.has_failed = has_errors(opened.diagnostics);
     opened.inputs = source.loaded();
     opened.sources = opened.document.sources;
-    EmbeddedOpener(source, opened).open_inside(opened, "", {});
+    EmbeddedOpener(source, opened, shown_name).open_all();
     opened.inputs = source.loaded();
     return opened;
-}
-
-bool looks_like_svg(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-    return first != std::string_view::npos && text[first] == '<';
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ struct OpenOptions {
 
 struct OpenedDocument;
 
-// What `embed` may name: a system, or another file.
+// What `embed` may name: a system, or another file. Each is opened once, however many ways lead to it.
 struct EmbeddedDocument {
     EmbeddableDocument info;
     std::shared_ptr<const OpenedDocument> opened;  // null where it could not be opened, which is reported
@@ -50,6 +50,8 @@ struct OpenedDocument {
     // All texts that diagnostics may point into: its own, then those of the files that it embeds.
     Sources sources;
     std::uint32_t first_source = 0;  // of its own among those of the document that is opened
+    SourceSpan place;                // what is said of it as a whole: a system's name, a file's beginning; else nowhere
+    bool has_failed = false;  // whether an error was found in its own text or files; it stands with the outermost's
 };
 
 // A span or diagnostics of an embedded document, as places of `OpenedDocument::sources` of the outermost one.

@@ -36,13 +36,14 @@ private:
         if (known != roots_.end()) return known->second;
         std::vector<std::uint32_t> roots;
         const PathPlace here{&opened, &checked, none, none, nullptr, false};
-        roots.push_back(add_definitions(opened, here));
+        const std::uint32_t definitions = add_definitions(opened, here);
         if (checked.grammar) {
             const std::vector<std::uint32_t> tags = add_tags(*checked.grammar, here);
             const std::vector<std::uint32_t> rules = add_rules(opened, checked, here, tags);
             for (const std::uint32_t start : add_starts(opened, *checked.grammar, here, tags)) roots.push_back(start);
             add_applied(opened, *checked.grammar, rules, roots);
         }
+        roots.push_back(definitions);
         return roots_[&checked] = roots;
     }
 
@@ -98,6 +99,7 @@ private:
             if (rule.condition) step.parameters.emplace_back("when");
             if (rule.weight) step.parameters.emplace_back("weight");
             for (const tangle::Output& output : rule.outputs) {
+                if (!output.hidden && grammar.tags[output.tag].empty()) continue;  // no path can name it
                 const std::uint32_t next = output.hidden ? tags.back() : tags[output.tag];
                 step.next.push_back(next);
                 if (rule.op->description.regroups) node(next).has_ordinals = true;
@@ -252,21 +254,37 @@ private:
         if (path.segments.size() != preset.path.segments.size() && !is_defined(path)) return;
         const auto found = possible(path);
         if (!found) return;
-        const bool names_value = preset.path.parameter.empty();
-        for (const std::uint32_t end : found->ends) {
+        const std::size_t before = diagnostics_.size();
+        if (preset.path.parameter.empty() && !check_names_a_value(preset, *found)) return;
+        if (preset.path.parameter == "rule") check_rule_names(preset, found->ends);
+        for (const std::uint32_t end : found->ends) check_value(preset, end);
+        keep_each_once(before);
+    }
+
+    // A value at several places says the same at each.
+    void keep_each_once(std::size_t first) {
+        std::size_t kept = first;
+        for (std::size_t i = first; i < diagnostics_.size(); ++i) {
+            const auto begin = diagnostics_.begin() + static_cast<std::ptrdiff_t>(first);
+            const auto end = diagnostics_.begin() + static_cast<std::ptrdiff_t>(kept);
+            if (std::find(begin, end, diagnostics_[i]) != end) continue;
+            if (kept != i) diagnostics_[kept] = std::move(diagnostics_[i]);
+            ++kept;
+        }
+        diagnostics_.resize(kept);
+    }
+
+    bool check_names_a_value(const PresetStatement& preset, const PathCheck& found) {
+        std::vector<std::uint32_t> ends = found.ends;
+        ends.insert(ends.end(), found.shapes_of.begin(), found.shapes_of.end());
+        for (const std::uint32_t end : ends) {
             const PathPlace& place = paths_.places[end];
-            if (names_value && (place.rule != none || place.tag != none)) {
-                diagnostics_.push_back(error("preset.no-parameter", "this path names no parameter", preset.path.span,
-                                             {"a parameter stands behind a dot, as in " + example(end)}));
-                return;
-            }
-            check_value(preset, end);
+            if (place.rule == none && place.tag == none && !place.is_style) continue;
+            diagnostics_.push_back(error("preset.no-parameter", "this path names no parameter", preset.path.span,
+                                         {"a parameter stands behind a dot, as in " + example(end)}));
+            return false;
         }
-        std::vector<Diagnostic> once;
-        for (Diagnostic& problem : diagnostics_) {
-            if (std::find(once.begin(), once.end(), problem) == once.end()) once.push_back(std::move(problem));
-        }
-        diagnostics_ = std::move(once);
+        return true;
     }
 
     std::string example(std::uint32_t node) const {
@@ -278,8 +296,12 @@ private:
     void check_value(const PresetStatement& preset, std::uint32_t end) {
         const PathPlace& place = paths_.places[end];
         const std::string& parameter = preset.path.parameter;
-        if (parameter == "rule" && place.tag != none) {
-            check_rule_names(preset, place);
+        if (parameter == "rule" && place.tag != none) return;  // all of its places together
+        const bool has_shapes = place.rule != none || place.is_style;
+        if (varies_by_shape(*preset.value) && (!has_shapes || parameter == "is_random" || parameter == "scatter" ||
+                                               ((parameter == "when" || parameter == "weight") && !place.is_style))) {
+            diagnostics_.push_back(error("language.each-outside", "each(...) can only stand where there are shapes",
+                                         preset.value->span, {"this is decided once for all of them"}));
             return;
         }
         static const ParameterDescription flag{
@@ -311,7 +333,15 @@ private:
                 if (known.name == parameter) described = &known;
             }
         }
-        if (described == nullptr || preset.path.draw != 0) return;
+        if (place.rule != none && parameter == "document") {
+            check_document_names(preset, place);
+            return;
+        }
+        if (described == nullptr) return;
+        if (preset.path.draw != 0) {
+            check_draw(preset, place);
+            return;
+        }
         const Scope& globals = checked_.settings->globals;
         append(diagnostics_, check_preset_value(*described, *preset.value, opened_.document, globals, all));
         if (preset.condition) {
@@ -330,38 +360,101 @@ private:
         append(diagnostics_, check_expression(*preset.value, at));
     }
 
-    // The rules that a `.rule` names must be rules of the tag.
-    void check_rule_names(const PresetStatement& preset, const PathPlace& place) {
-        const tangle::Grammar& grammar = *place.checked->grammar;
-        std::vector<std::string_view> known;
-        for (const std::uint32_t rule : grammar.rules_of_tag[place.tag]) known.push_back(grammar.rules[rule].segment);
+    // The k-th choice of an argument that has fewer does nothing.
+    void check_draw(const PresetStatement& preset, const PathPlace& place) {
+        if (place.rule == none) return;
+        const BoundCall& call = place.checked->grammar->rules[place.rule].call;
+        for (std::size_t i = 0; i < call.expressions.size(); ++i) {
+            if (call.description->parameters[i].name != preset.path.parameter || !call.expressions[i]) continue;
+            const std::uint32_t count = count_choices(*call.expressions[i]);
+            if (preset.path.draw <= count) return;
+            diagnostics_.push_back(warning("preset.no-such-draw",
+                                           "'" + preset.path.parameter + "' has " + std::to_string(count) +
+                                               (count == 1 ? " choice" : " choices") + " here",
+                                           preset.path.span));
+        }
+    }
+
+    static std::string name_in(const Expression& expression) {
+        const auto* text = std::get_if<TextLiteral>(&expression.node);
+        const auto* word = std::get_if<NameReference>(&expression.node);
+        return text != nullptr ? text->text : word != nullptr ? word->name : "";
+    }
+    static std::string listed(const std::vector<std::string_view>& names) {
+        std::string list;
+        for (const std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string(name);
+        return list;
+    }
+
+    // Only the documents that the rule itself may embed, since their parameters are the rule's.
+    void check_document_names(const PresetStatement& preset, const PathPlace& place) {
+        const BoundCall& call = place.checked->grammar->rules[place.rule].call;
+        std::vector<std::string> names;
+        for (const Alternative& alternative : alternatives_of(*call.expressions[0])) {
+            names.push_back(name_in(*alternative.expression));
+        }
+        const std::vector<std::string_view> known(names.begin(), names.end());
         for (const Alternative& alternative : alternatives_of(*preset.value)) {
-            const auto* text = std::get_if<TextLiteral>(&alternative.expression->node);
-            const auto* word = std::get_if<NameReference>(&alternative.expression->node);
-            if (text == nullptr && word == nullptr) {
+            const std::string name = name_in(*alternative.expression);
+            if (!name.empty() && std::find(known.begin(), known.end(), name) != known.end()) continue;
+            diagnostics_.push_back(error("preset.unknown-document", "this rule embeds no '" + name + "'",
+                                         alternative.expression->span, {"it embeds " + listed(known)}));
+        }
+    }
+
+    // The rules that a `.rule` names must be rules of the tag; of one of the tags, where the path leaves it open.
+    void check_rule_names(const PresetStatement& preset, const std::vector<std::uint32_t>& ends) {
+        std::vector<std::string_view> known;
+        std::string tag;
+        for (const std::uint32_t end : ends) {
+            const PathPlace& place = paths_.places[end];
+            if (place.tag == none) continue;
+            const tangle::Grammar& grammar = *place.checked->grammar;
+            tag = grammar.tags[place.tag];
+            for (const std::uint32_t rule : grammar.rules_of_tag[place.tag]) {
+                const std::string_view name = grammar.rules[rule].segment;
+                if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+            }
+        }
+        if (known.empty()) return;
+        for (const Alternative& alternative : alternatives_of(*preset.value)) {
+            const std::string name = name_in(*alternative.expression);
+            if (alternative.by_shape) {
+                diagnostics_.push_back(error("language.each-outside", "each(...) can only stand where there are shapes",
+                                             preset.value->span, {"a rule is drawn once for all of them"}));
+                continue;
+            }
+            if (name.empty()) {
                 diagnostics_.push_back(
                     error("preset.not-a-rule", "the value of a rule is its label or operator in quotes",
                           alternative.expression->span, {"as in \"" + std::string(known[0]) + "\""}));
                 continue;
             }
-            const std::string& name = text != nullptr ? text->text : word->name;
             if (name == "none" || std::find(known.begin(), known.end(), name) != known.end()) continue;
             std::vector<std::string> hints = did_you_mean(name, known);
-            if (hints.empty()) {
-                std::string list;
-                for (const std::string_view rule : known) list += (list.empty() ? "" : ", ") + std::string(rule);
-                hints.push_back("its rules are " + list);
-            }
-            diagnostics_.push_back(error("preset.unknown-rule",
-                                         "the tag '" + grammar.tags[place.tag] + "' has no rule '" + name + "'",
+            if (hints.empty()) hints.push_back("its rules are " + listed(known));
+            diagnostics_.push_back(error("preset.unknown-rule", "the tag '" + tag + "' has no rule '" + name + "'",
                                          alternative.expression->span, std::move(hints)));
         }
     }
 
     void check(const ApplyStatement& apply) {
         for (const ChoicePath& target : apply.targets) {
+            const PathSegment& first = target.segments.front();
+            if (apply.name && first.kind == PathSegment::Kind::name && first.name == apply.name->text) {
+                diagnostics_.push_back(error("preset.impossible-path", "a step cannot be applied to what it makes itself",
+                                             target.span, {"begin the path at a start"}));
+                continue;
+            }
             const auto found = possible(target);
             if (!found) continue;
+            // At any depth it would be applied to its own results for ever.
+            bool is_group = false;
+            if (target.segments.back().kind == PathSegment::Kind::any_depth) {
+                diagnostics_.push_back(error("apply.not-a-group", "a step is applied to a group or to single shapes",
+                                             target.span, {"end the path in a tag"}));
+                continue;
+            }
             for (const std::vector<std::uint32_t>* ends : {&found->ends, &found->shapes_of}) {
                 for (const std::uint32_t end : *ends) {
                     const PathPlace& place = paths_.places[end];
@@ -371,13 +464,12 @@ private:
                                                      {"add it in '" + place.opened->name + "' itself"}));
                         return;
                     }
-                    if (place.tag != none) continue;
-                    diagnostics_.push_back(error("apply.not-a-group",
-                                                 "a step is applied to a group or to single shapes", target.span,
-                                                 {"this path ends in a rule; add a tag behind it"}));
-                    return;
+                    is_group = is_group || place.tag != none;
                 }
             }
+            if (is_group) continue;
+            diagnostics_.push_back(error("apply.not-a-group", "a step is applied to a group or to single shapes",
+                                         target.span, {"this path ends in a rule; add a tag behind it"}));
         }
     }
 

@@ -72,8 +72,9 @@ Result<Run> run_document(const OpenedDocument& opened, const CheckedDocument& ch
     const double derived = now_seconds();
     run.times.derive = derived - begin;
 
-    Result<tangle::Picture> picture = tangle::draw(run.tangle, *checked.grammar, settings, opened.document,
-                                                   {options.colour_by, top_site(checked, options)});
+    Result<tangle::Picture> picture =
+        tangle::draw(run.tangle, *checked.grammar, settings, opened.document,
+                     {options.colour_by, top_site(checked, options), {job.cancel_flag, {}}});
     if (!picture) return picture.diagnostics();
     append(run.diagnostics, picture.diagnostics());
     run.picture = std::move(*picture);

@@ -3,17 +3,42 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/filigree/commands.h"
+#include "apps/filigree/output.h"
 #include "apps/filigree/terminal.h"
 #include "formats/files.h"
 #include "session/check.h"
 
 namespace filigree {
+namespace {
+
+// A document is written over itself, but never over a file that it reads, nor over a drawing that carries it with
+// those.
+Diagnostics output_problems(const EditCommand& command, const OpenedDocument& opened) {
+    if (command.output.empty()) return {};
+    std::vector<std::filesystem::path> read = opened.files;
+    if (!opened.carries_inputs && !read.empty()) read.erase(read.begin());
+    Diagnostics problems = overwrites({command.output}, read);
+    const std::string ending = command.output.extension().string();
+    if (problems.empty() && (ending == ".svg" || ending == ".png")) {
+        Diagnostic wrong =
+            fault(Fault::usage, "edit.not-a-drawing",
+                  "an edited document is text, so it is not written to '" + command.output.string() + "'");
+        wrong.hints.push_back("write a .fil file, and render that");
+        problems.push_back(std::move(wrong));
+    }
+    return problems;
+}
+
+}  // namespace
 
 int run_edit(const EditCommand& command) {
     Result<OpenedDocument> opened = open_document(command.document, command.open);
     if (!opened) return print_diagnostics(opened.diagnostics(), {});
     const CheckedDocument checked = check_document(*opened);
     if (has_errors(checked.diagnostics)) return print_diagnostics(checked.diagnostics, opened->sources);
+    if (const Diagnostics problems = output_problems(command, *opened); !problems.empty()) {
+        return print_diagnostics(problems, {});
+    }
     nlohmann::ordered_json done = nlohmann::ordered_json::array();
     OpenedDocument document = std::move(*opened);
     for (const DocumentEdit& edit : command.edits) {

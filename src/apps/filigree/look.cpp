@@ -109,6 +109,7 @@ int run_variations(const VariationsCommand& command) {
 
     std::vector<Drawing> drawings;
     std::vector<SheetCell> cells;
+    std::vector<bool> is_drawn;
     drawings.reserve(all->size());
     for (const Variation& variation : *all) {
         const OpenedDocument opened = reopened(looked->opened, variation.text);
@@ -117,11 +118,16 @@ int run_variations(const VariationsCommand& command) {
         RunOptions run_options;
         run_options.previous = &looked->run.tangle;
         Result<Run> run = run_document(opened, checked, run_options, *executor, job);
-        if (!run) return print_diagnostics(run.diagnostics(), opened.sources);
-        drawings.push_back(std::move(run->picture.drawing));
-        cells.push_back({nullptr, variation.label});
+        const bool is_too_large =
+            !run && !is_cancelled(job) && !run.diagnostics().empty() && run.diagnostics().front().fault == Fault::limit;
+        if (!run && !is_too_large) return print_diagnostics(run.diagnostics(), opened.sources);
+        drawings.push_back(run ? std::move(run->picture.drawing) : Drawing());
+        cells.push_back({nullptr, variation.label + (run ? "" : "  (over a limit)")});
+        is_drawn.push_back(static_cast<bool>(run));
     }
-    for (std::size_t i = 0; i < cells.size(); ++i) cells[i].drawing = &drawings[i];
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (is_drawn[i]) cells[i].drawing = &drawings[i];
+    }
     SheetOptions sheet;
     sheet.title = looked->opened.name;
     const Drawing drawing = contact_sheet(cells, sheet);

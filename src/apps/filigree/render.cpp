@@ -42,7 +42,7 @@ Outcome render_once(const RenderCommand& command, Executor& executor, const Job&
         Result<std::string> choices = read_file(command.choices);
         if (!choices) return {print_diagnostics(choices.diagnostics(), {}), read};
         open.choices = std::move(*choices);
-        if (open.choices.empty()) open.choices = " ";  // an empty file is no list of choices
+        if (open.choices.empty()) open.choices.assign(1, '\n');  // an empty file is no list of choices
     }
     const Result<OpenedDocument> opened = open_document(command.document, open);
     if (!opened) return {print_diagnostics(opened.diagnostics(), {}), read};

@@ -200,10 +200,10 @@ private:
         for (std::size_t i = 0; i < group.shapes.size(); ++i) {
             const PresetState shape = advance(walk_.presets, group.presets, {{}, 0, group.number_of(i)});
             if (!shape) continue;
-            const PresetState state = advance(walk_.presets, shape, {rule.segment});
-            if (!state) continue;
-            std::vector<std::uint32_t> found = accepted(walk_.presets, state);
-            if (!found.empty()) choices.push_back({static_cast<std::uint32_t>(i), std::move(found)});
+            std::vector<std::uint32_t> above = accepted(walk_.presets, shape);
+            std::vector<std::uint32_t> found = accepted(walk_.presets, advance(walk_.presets, shape, {rule.segment}));
+            if (found.empty() && above.empty()) continue;
+            choices.push_back({static_cast<std::uint32_t>(i), std::move(found), std::move(above)});
         }
         return choices;
     }
@@ -216,7 +216,7 @@ private:
     bool is_whole_reusable(std::size_t number, std::uint32_t old_number) const {
         const Group& group = tangle_.groups[number];
         const Group& old = previous_.tangle()->groups[old_number];
-        if (group.seed.value != old.seed.value || group.hidden != old.hidden) return false;
+        if (!same_seed(group.seed, old.seed) || group.hidden != old.hidden) return false;
         if (!previous_.has_same_rules(group.tag, old.tag)) return false;
         if (!previous_.has_same_presets(group.presets, old.presets)) return false;
         // A prefix of a derivation does not know what would have become of its last groups.
@@ -226,6 +226,8 @@ private:
     bool can_take_over(std::uint32_t old_step) const {
         const Tangle& old = *previous_.tangle();
         const Step& step = old.steps[old_step];
+        // What presets have met inside is noted by their numbers.
+        if (!step.embedded.empty() && reads_->presets != old.reads->presets) return false;
         std::uint64_t shapes = 0;
         for (std::uint32_t g = step.first_output; g < step.end_output; ++g) {
             if (is_parted(old, g)) return false;
@@ -366,6 +368,9 @@ private:
         auto embedded = embed_step(step, options_.embed, executor);
         if (!embedded) {
             expansion.errors = embedded.diagnostics();
+            for (Diagnostic& reason : expansion.errors) {
+                if (reason.span.file == SourceSpan::no_file) reason.span = rule.span;
+            }
         } else {
             expansion.embedded = std::move(*embedded);
         }
@@ -465,12 +470,13 @@ private:
 
     // The rule of a step that is taken over, among the rules as they are numbered now.
     std::uint32_t rule_now(std::uint32_t group, const Step& old) const {
+        if (const auto applied = applied_preset(node_of(tangle_.groups[group]).accepted)) {
+            return applied_rules_.find(walk_.presets.all[*applied].statement)->second;
+        }
         for (const std::uint32_t r : grammar_.rules_of_tag[tangle_.groups[group].tag]) {
             if (child(tangle_.groups[group].key, grammar_.rules[r].key.value) == old.key) return r;
         }
-        // It was applied by hand, and the same `apply` still is.
-        const auto applied = applied_preset(node_of(tangle_.groups[group]).accepted);
-        return applied ? applied_rules_.find(walk_.presets.all[*applied].statement)->second : 0;
+        return 0;  // the group has the same rules as before, so one has made the step
     }
 
     // The parameters of a macro become names for the rules in it.

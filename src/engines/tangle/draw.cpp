@@ -185,7 +185,7 @@ private:
             return choices_at(walk_, node, scope, &record);
         };
         const Result<StyleOverride> style =
-            style_of_shape(sheet_, of_tag, scope, tangle_.groups[group].shapes[index].key, choices);
+            style_of_shape(sheet_, of_tag, scope, style_key(tangle_.groups[group], index), choices);
         if (!record.rows.empty()) {
             const std::size_t first = recorder_.choices.size();
             recorder_.append(record);

@@ -29,6 +29,10 @@ struct StyledShape {
     std::size_t first_choice = 0, end_choice = 0;
 };
 
+// Where the choices of a shape's styles are made: a shape that several steps hand on has styles of its own in each
+// group.
+inline Key style_key(const Group& group, std::size_t shape) { return child(group.key, group.shapes[shape].key.value); }
+
 struct DrawOptions {
     ColourBy colour_by = ColourBy::style;
     DocumentSite site = {};  // as in the derivation

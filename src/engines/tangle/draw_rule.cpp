@@ -44,27 +44,48 @@ private:
 
     // The preset of `rule` that counts here.
     Result<std::optional<Preset>> deciding_preset(const StepChoices& choices) {
-        StepChoices unrecorded = choices;
-        unrecorded.record = nullptr;
-        Result<std::optional<DecidedValue>> decided = decide(unrecorded, "rule", nullptr, evaluation());
+        ChoiceBuffer decisions;
+        StepChoices recording = choices;
+        recording.record = &decisions;
+        Result<std::optional<DecidedValue>> decided = decide(recording, "rule", nullptr, evaluation());
+        if (!decided && recording.replay != nullptr) {
+            // What was recorded is the winner of the race below, which need not be one of those that are named here.
+            decisions = {};
+            recording.replay = nullptr;
+            decided = decide(recording, "rule", nullptr, evaluation());
+        }
         if (!decided) return decided.diagnostics();
-        if (!*decided) return std::optional<Preset>();
-        value_ = (*decided)->value;
-        return std::optional<Preset>(*(*decided)->preset);
+        std::optional<Preset> preset;
+        if (*decided) {
+            value_ = (*decided)->value;
+            preset = *(*decided)->preset;
+        }
+        // Of several rules that it names, the race below draws one; all else that was chosen for it stands.
+        const bool is_raced = preset && is_one_of(*preset);
+        for (const ChoiceBuffer::Row& row : decisions.rows) {
+            const ChoiceBuffer::Place& place = decisions.places[row.place];
+            const bool is_value = place.name == "rule" || place.name.rfind("rule~", 0) == 0;
+            if (is_raced && is_value) continue;
+            record(record_, place.text, place.name, place.domain, row.key, row.value, row.source);
+        }
+        return preset;
+    }
+    static bool is_one_of(const Preset& preset) {
+        const auto* call = std::get_if<CallExpression>(&preset.value->node);
+        return call != nullptr && call->name == "one_of";
     }
 
     Result<std::optional<std::uint32_t>> by_preset(const Preset& preset, const StepChoices& choices) {
         const ChoiceSource source = preset.kind == PresetKind::set ? ChoiceSource::set : ChoiceSource::fallback;
-        const auto* call = std::get_if<CallExpression>(&preset.value->node);
-        if (call == nullptr || call->name != "one_of") {
+        if (!is_one_of(preset)) {
             const std::optional<Runner> only = runner_named(value_, preset);
             if (!errors_.empty()) return errors_;
             if (is_elsewhere_) return race_of(all_runners(), choices, ChoiceSource::drawn);
-            return only ? recorded({*only}, 0, source) : std::optional<std::uint32_t>();
+            return only ? std::optional(only->rule) : std::nullopt;
         }
         // Those that are named race as they would among all: with their own conditions and weights.
         std::vector<Runner> runners;
-        for (const WeightedExpression& one : candidates_of(*call)) {
+        for (const WeightedExpression& one : candidates_of(std::get<CallExpression>(preset.value->node))) {
             Evaluation at = evaluation();
             at.document = preset.document;
             const Result<Value> name = evaluate(*one.candidate, at);
@@ -72,7 +93,7 @@ private:
             const std::optional<Runner> runner = runner_named(*name, preset);
             if (!errors_.empty()) return errors_;
             if (!runner) continue;
-            const std::optional<Runner> running = with_weight(runner->rule, one.weight, preset.document);
+            const std::optional<Runner> running = with_weight(runner->rule, one.weight, preset.document, source);
             if (running) runners.push_back(*running);
         }
         if (runners.empty() && is_elsewhere_) return race_of(all_runners(), choices, ChoiceSource::drawn);
@@ -109,13 +130,15 @@ private:
     std::vector<Runner> all_runners() {
         std::vector<Runner> runners;
         for (const std::uint32_t r : draw_.matching) {
-            if (const auto runner = with_weight(r, nullptr, &draw_.document)) runners.push_back(*runner);
+            const auto runner = with_weight(r, nullptr, &draw_.document, ChoiceSource::drawn);
+            if (runner) runners.push_back(*runner);
         }
         return runners;
     }
 
     // A rule whose condition holds, with its weight, or the given one.
-    std::optional<Runner> with_weight(std::uint32_t index, const Expression* given, const Document* given_in) {
+    std::optional<Runner> with_weight(std::uint32_t index, const Expression* given, const Document* given_in,
+                                      ChoiceSource source) {
         const Rule& candidate = rule(index);
         Runner runner{index, 1};
         if (!candidate.condition && !candidate.weight && given == nullptr) return runner;
@@ -137,9 +160,16 @@ private:
             if (!*holds) return std::nullopt;
         }
         if (given == nullptr && !candidate.weight) return runner;
+        ChoiceMaking making;
+        making.is_random = choices->is_random;
+        making.source = source;
+        making.replay = choices->replay;
+        making.record = &record_;
         Evaluation at = evaluation();
         at.document = given_in;
         at.words.clear();
+        at.site = {choices->seed.value, child(draw_.group, candidate.key.value), "rule?weight"};
+        at.choices = &making;
         const Result<Value> value = given != nullptr ? evaluate(*given, at) : value_of(candidate.weight, "weight");
         const Result<double> number = value ? as_number(*value) : Result<double>(value.diagnostics());
         if (!number) return failed(number.diagnostics());
@@ -202,7 +232,7 @@ private:
 
     const RuleDraw& draw_;
     ChoiceBuffer& record_;
-    Value value_;  // of the deciding preset
+    Value value_;                // of the deciding preset
     bool is_elsewhere_ = false;  // it names a rule that this tag has not, but another may have
     Diagnostics errors_;
 };
