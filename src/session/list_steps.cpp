@@ -12,11 +12,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using tangle::Tangle;
 
-std::uint32_t line_of(const Document& document, SourceSpan span) {
-    if (span.file >= document.sources.size()) return 0;
-    return line_column(document.sources[span.file].text, span.begin).line;
-}
-
 // A tangle with what its parts are asked about.
 struct Layer {
     const OpenedDocument& opened;
@@ -115,6 +110,11 @@ Json layer_json(const Layer& layer) {
 }
 
 }  // namespace
+
+std::uint32_t line_of(const Document& document, SourceSpan span) {
+    if (span.file >= document.sources.size()) return 0;
+    return line_column(document.sources[span.file].text, span.begin).line;
+}
 
 std::string steps_text(const OpenedDocument& opened, const CheckedDocument& checked, const Tangle& tangle) {
     std::string text;

@@ -5,6 +5,7 @@
 #include "base/number_text.h"
 #include "engines/tangle/paths.h"
 #include "session/embed.h"
+#include "session/list_steps.h"
 
 namespace filigree {
 namespace {
@@ -59,9 +60,7 @@ PickedStep picked_step(const Layer& layer, std::uint32_t number, std::size_t sha
     picked.document = layer.opened.name;
     picked.rule = rule.segment;
     picked.operation = std::string(rule.op->description.name);
-    if (rule.span.file < layer.opened.document.sources.size()) {
-        picked.line = line_column(layer.opened.document.sources[rule.span.file].text, rule.span.begin).line;
-    }
+    picked.line = line_of(layer.opened.document, rule.span);
     picked.key = step.key;
     for (std::size_t i = 0; i < step.arguments.values.size(); ++i) {
         const ArgumentValue& argument = step.arguments.values[i];

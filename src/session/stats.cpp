@@ -8,6 +8,7 @@
 #include "base/number_text.h"
 #include "engines/tangle/verify.h"
 #include "session/embed.h"
+#include "session/list_steps.h"
 
 namespace filigree {
 namespace {
@@ -16,11 +17,6 @@ using Json = nlohmann::ordered_json;
 
 // Documents may name files in bytes that are no UTF-8; they are shown with replacement characters.
 std::string dumped(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
-
-std::uint32_t line_of(const Document& document, SourceSpan span) {
-    if (span.file >= document.sources.size()) return 0;
-    return line_column(document.sources[span.file].text, span.begin).line;
-}
 
 Json diagnostic_json(const Diagnostic& diagnostic, const Sources& sources) {
     Json json;
