@@ -1,6 +1,7 @@
 #include "language/presets.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <tuple>
 
@@ -204,10 +205,9 @@ NodeSeed seed_after(const Presets& presets, std::span<const std::uint32_t> indic
                 std::make_shared<const RerollTrail>(RerollTrail{above.value, above.rerolls, rerolls_of(narrower)})};
     }
     // Of one place kept and drawn again, the keep holds.
-    const auto same = std::stable_partition(
-        narrower.begin(), narrower.end(), [&](const Preset* reroll) { return !same_path(*reroll->path, *keep->path); });
-    others.insert(others.end(), same, narrower.end());
-    narrower.erase(same, narrower.end());
+    const auto of_the_keep = [&](const Preset* reroll) { return same_path(*reroll->path, *keep->path); };
+    std::copy_if(narrower.begin(), narrower.end(), std::back_inserter(others), of_the_keep);
+    std::erase_if(narrower, of_the_keep);
     const std::uint64_t kept = seed_kept_by(*keep, {above.value, above.rerolls, rerolls_of(others)});
     if (narrower.empty()) return {kept, nullptr};
     const std::uint64_t value = rerolled(kept, times_of(narrower));
