@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "language/document.h"
+
 namespace filigree {
 
 struct Input {
@@ -14,6 +16,10 @@ struct Input {
     bool operator==(const Input&) const = default;
 };
 using Inputs = std::vector<Input>;
+
+// The files that a document's starts, rules, definitions and presets name, by file("leaf.svg"), image("photo.png"),
+// text("A", font: "bold.ttf") and `start from`: each once, in order, with where they are named.
+std::vector<Name> named_files(const Document& document);
 
 inline const Input* find_input(const Inputs& inputs, std::string_view name) {
     for (const Input& input : inputs) {

@@ -1,13 +1,12 @@
 #include "derivation/plane_start.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 #include "base/unicode.h"
 #include "derivation/start_shapes.h"
-#include "formats/svg_read.h"
 #include "language/bind.h"
+#include "language/form_value.h"
 #include "plane/clean.h"
 #include "plane/path.h"
 
@@ -47,58 +46,11 @@ std::optional<Diagnostic> off_plane(const std::vector<Polyline>& outlines) {
     return std::nullopt;
 }
 
-bool has_id(const SvgShape& shape, std::string_view id) {
-    return shape.id == id || std::find(shape.groups.begin(), shape.groups.end(), id) != shape.groups.end();
-}
-
-Diagnostic no_such_id(const std::string& file, const std::string& id, const SvgPicture& picture) {
-    std::vector<std::string_view> known;
-    for (const SvgShape& shape : picture.shapes) {
-        if (!shape.id.empty()) known.push_back(shape.id);
-        for (const std::string& group : shape.groups) {
-            if (!group.empty()) known.push_back(group);
-        }
-    }
-    return error("start.unknown-id", "'" + file + "' has no drawn element with the id '" + id + "'", {},
-                 did_you_mean(id, known));
-}
-
-// The shapes of a picture to grow from: the filled ones; where nothing is filled, the outlines, which must be closed.
-Result<std::vector<const SvgShape*>> chosen_shapes(const SvgPicture& picture, const std::string& file,
-                                                   const std::string& id) {
-    std::vector<const SvgShape*> named, filled;
-    for (const SvgShape& shape : picture.shapes) {
-        if (!id.empty() && !has_id(shape, id)) continue;
-        named.push_back(&shape);
-        if (shape.filled) filled.push_back(&shape);
-    }
-    if (named.empty() && !id.empty()) return no_such_id(file, id, picture);
-    if (!filled.empty()) return filled;
-    for (const SvgShape* shape : named) {
-        const std::string what =
-            shape->id.empty() ? "'" + file + "'" : "the element '" + shape->id + "' of '" + file + "'";
-        if (auto open = open_subpath(flatten(shape->path, 1), what)) return *open;
-    }
-    return named;
-}
-
-Result<SvgPicture> picture_of(const Inputs& inputs, const std::string& name, SourceSpan span) {
-    const Input* input = find_input(inputs, name);
-    if (input == nullptr) {
-        return error("input.missing", "the file '" + name + "' cannot be read", span,
-                     {"files are looked up beside the document"});
-    }
-    Result<SvgPicture> picture = read_svg(input->bytes, SourceSpan::no_file);
-    if (picture) return picture;
-    Diagnostics reasons;
-    for (Diagnostic reason : picture.diagnostics()) {
-        const auto size = static_cast<std::uint32_t>(input->bytes.size());
-        const LineColumn place = line_column(input->bytes, std::min(reason.span.begin, size));
-        reason.message = "in '" + name + "', line " + std::to_string(place.line) + ": " + reason.message;
-        reason.span = span;
-        reasons.push_back(std::move(reason));
-    }
-    return reasons;
+// Shapes that are drawn by their stroke alone grow where they are closed.
+std::optional<Diagnostic> open_stroke(bool filled, const std::vector<Polyline>& lines, const std::string& name,
+                                      const std::string& file) {
+    if (filled) return std::nullopt;
+    return open_subpath(lines, name.empty() ? "'" + file + "'" : "the element '" + name + "' of '" + file + "'");
 }
 
 // A layer's name as a tag: what no tag may hold becomes '_'.
@@ -122,9 +74,9 @@ std::string as_tag(const std::string& name) {
 
 class StartBuilder {
 public:
-    StartBuilder(const Settings& settings, const Document& document, const Inputs& inputs, const DocumentSite& site,
-                 const PolygonView* host)
-        : settings_(settings), document_(document), inputs_(inputs), site_(site), host_(host) {}
+    StartBuilder(const Settings& settings, const Document& document, const ShapeSource& shapes,
+                 const DocumentSite& site, const PolygonView* host)
+        : settings_(settings), document_(document), shapes_(shapes), site_(site), host_(host) {}
 
     Result<PlaneStart> build() {
         walk_ = begin_walk(site_, document_, settings_.globals, settings_.seed);
@@ -208,51 +160,23 @@ private:
         const SourceSpan whole = start.value->span;
         const std::string overlap(arguments.word("overlap"));
         std::vector<Piece> pieces;
-        const auto add_piece = [&](const std::vector<Polyline>& outlines, FillRule rule) {
-            return add_to(pieces, outlines, rule, start.tag.text, key, number, whole);
-        };
-        const std::string_view name = arguments.description->name;
-        if (name == "file") {
-            const std::string file = std::get<std::string>(arguments.value("name").data);
-            const std::string id = std::get<std::string>(arguments.value("id").data);
-            const Result<SvgPicture> picture = picture_of(inputs_, file, whole);
-            if (!picture) return refuse(picture.diagnostics(), whole);
-            for (const Diagnostic& note : picture.diagnostics()) {
-                diagnostics_.push_back(warning(note.code, "in '" + file + "': " + note.message, whole, note.hints));
-            }
-            const auto shapes = chosen_shapes(*picture, file, id);
-            if (!shapes) return refuse(shapes.diagnostics(), whole);
-            const Transform to_size = scaled_to_width(*shapes, arguments.number("width"));
-            for (const SvgShape* shape : *shapes) {
-                if (!add_piece(flatten(transformed(shape->path, to_size), settings_.resolution), shape->fill_rule))
-                    return;
-            }
-        } else if (name == "path") {
-            const Result<Path> path = parse_path_data(std::get<std::string>(arguments.value("data").data));
-            if (!path) {
-                Diagnostic reason = path.diagnostics().front();
-                reason.message += " (byte " + std::to_string(reason.span.begin + 1) + " of the path data)";
-                reason.span = whole;
-                diagnostics_.push_back(std::move(reason));
-                return;
-            }
-            const double scale = arguments.number("scale");
-            const std::vector<Polyline> outlines =
-                flatten(transformed(*path, scaling(scale, scale)), settings_.resolution);
-            if (auto open = open_subpath(outlines, "the start")) return refuse({*open}, whole);
-            if (!add_piece(outlines, FillRule::even_odd)) return;
-        } else if (name == "host") {
+        if (arguments.description->name == "host") {
             if (!set_fit(std::string(arguments.word("fit")), whole)) return;
             pieces.push_back({host_area(), start.tag.text, child(key, 0), number});
             accept(std::move(pieces), overlap, whole);
             return;
-        } else {
-            std::vector<Polyline> outlines = built_in_outline(arguments, settings_.resolution);
-            const Vec at = std::get<Vec>(arguments.value("at").data);
-            for (Polyline& outline : outlines) {
-                for (Vec& point : outline.points) point = point + at;
-            }
-            if (!add_piece(outlines, FillRule::nonzero)) return;
+        }
+        const SymbolicCall shape = call_of(arguments);
+        const Result<ShapeSource::Parts> parts = shapes_.parts(shape);
+        refuse(parts.diagnostics(), whole);  // warnings too
+        if (!parts) return;
+        for (const ShapePart& part : **parts) {
+            const auto open = shape.name == "path" ? open_subpath(part.lines, "the start")
+                              : shape.name == "file"
+                                  ? open_stroke(part.filled, part.lines, part.name, text_of(shape, "name"))
+                                  : std::nullopt;
+            if (open) return refuse({*open}, whole);
+            if (!add_to(pieces, part.lines, part.rule, start.tag.text, key, number, whole)) return;
         }
         accept_own(std::move(pieces), overlap, whole);
     }
@@ -295,38 +219,27 @@ private:
         return clean(outlines, FillRule::even_odd);
     }
 
-    static Transform scaled_to_width(const std::vector<const SvgShape*>& shapes, double width) {
-        if (width <= 0) return {};
-        double low = std::numeric_limits<double>::infinity(), high = -low;
-        for (const SvgShape* shape : shapes) {
-            for (const Polyline& line : flatten(shape->path, 0.1)) {
-                for (const Vec& point : line.points) {
-                    low = std::min(low, point.x);
-                    high = std::max(high, point.x);
-                }
-            }
-        }
-        if (!(high > low)) return {};
-        return scaling(width / (high - low), width / (high - low));
-    }
-
     void add_picture_layers(const Name& file, Key key, std::size_t number) {
-        const Result<SvgPicture> picture = picture_of(inputs_, file.text, file.span);
+        const Result<std::shared_ptr<const SvgPicture>> picture = shapes_.picture(file.text);
         if (!picture) return refuse(picture.diagnostics(), file.span);
-        const auto shapes = chosen_shapes(*picture, file.text, "");
-        if (!shapes) return refuse(shapes.diagnostics(), file.span);
+        const std::vector<SvgShape>& shapes = (*picture)->shapes;
+        const bool is_filled =
+            std::any_of(shapes.begin(), shapes.end(), [](const SvgShape& shape) { return shape.filled; });
         std::vector<Piece> pieces;
-        for (const SvgShape* shape : *shapes) {
-            const std::string& layer = !shape->groups.empty() ? shape->groups.front() : shape->id;
+        for (const SvgShape& shape : shapes) {
+            if (is_filled && !shape.filled) continue;
+            const std::vector<Polyline> lines = flatten(shape.path, settings_.resolution);
+            if (const auto open = open_stroke(shape.filled, lines, shape.id, file.text)) {
+                return refuse({*open}, file.span);
+            }
+            const std::string& layer = !shape.groups.empty() ? shape.groups.front() : shape.id;
             if (layer.empty()) {
                 diagnostics_.push_back(error(
                     "start.unnamed-shape", "'" + file.text + "' has a shape without an id or a layer", file.span,
                     {"give it an id, or grow from the whole file by: start big_poly = file(\"" + file.text + "\")"}));
                 return;
             }
-            if (!add_to(pieces, flatten(shape->path, settings_.resolution), shape->fill_rule, as_tag(layer), key,
-                        number, file.span))
-                return;
+            if (!add_to(pieces, lines, shape.fill_rule, as_tag(layer), key, number, file.span)) return;
         }
         accept_own(std::move(pieces), "top", file.span);
     }
@@ -404,7 +317,7 @@ private:
 
     const Settings& settings_;
     const Document& document_;
-    const Inputs& inputs_;
+    const ShapeSource& shapes_;
     const DocumentSite& site_;
     const PolygonView* host_;
     PresetWalk walk_;
@@ -422,9 +335,9 @@ private:
 
 }  // namespace
 
-Result<PlaneStart> make_plane_start(const Settings& settings, const Document& document, const Inputs& inputs,
+Result<PlaneStart> make_plane_start(const Settings& settings, const Document& document, const ShapeSource& shapes,
                                     const DocumentSite& site, const PolygonView* host) {
-    return StartBuilder(settings, document, inputs, site, host).build();
+    return StartBuilder(settings, document, shapes, site, host).build();
 }
 
 Transform page_onto(const Page& page, const Box& box, std::string_view fit) {
@@ -439,29 +352,6 @@ Transform page_onto(const Page& page, const Box& box, std::string_view fit) {
     onto.e = centre.x;
     onto.f = centre.y;
     return onto;
-}
-
-std::vector<Name> start_files(const Document& document) {
-    std::vector<Name> files;
-    const auto add = [&](const std::string& name, SourceSpan span) {
-        const bool known = std::any_of(files.begin(), files.end(), [&](const Name& file) { return file.text == name; });
-        if (!known) files.push_back({name, span});
-    };
-    for (const Statement& statement : document.statements) {
-        const auto* start = std::get_if<StartStatement>(&statement.node);
-        if (start == nullptr) continue;
-        if (start->from) add(start->from->text, start->from->span);
-        const auto* call = start->value ? std::get_if<CallExpression>(&start->value->node) : nullptr;
-        if (call == nullptr || call->name != "file") continue;
-        for (const CallArgument& argument : call->arguments) {
-            const auto* key = argument.key ? std::get_if<NameReference>(&argument.key->node) : nullptr;
-            if (argument.key && (key == nullptr || key->name != "name")) continue;
-            if (const auto* text = std::get_if<TextLiteral>(&argument.value->node))
-                add(text->text, argument.value->span);
-            break;
-        }
-    }
-    return files;
 }
 
 }  // namespace filigree

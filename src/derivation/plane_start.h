@@ -11,7 +11,7 @@
 
 #include "base/random.h"
 #include "base/result.h"
-#include "derivation/inputs.h"
+#include "derivation/shape_source.h"
 #include "language/preset_walk.h"
 #include "language/settings.h"
 #include "plane/polygon.h"
@@ -49,13 +49,10 @@ struct PlaneStart {
 // an SVG lacks, empty results, shapes larger than the plane or smaller than a px, and starts without area.
 // `host`: the one polygon that `host(...)` means, in the host's coordinates; null for a document on its own, where it
 // is the page, else a rectangle of 400 x 300 px.
-Result<PlaneStart> make_plane_start(const Settings& settings, const Document& document, const Inputs& inputs,
+Result<PlaneStart> make_plane_start(const Settings& settings, const Document& document, const ShapeSource& shapes,
                                     const DocumentSite& site = {}, const PolygonView* host = nullptr);
 
 // How a document's page, centred on the origin, is laid over a box: words as in host(fit: ...).
 Transform page_onto(const Page& page, const Box& box, std::string_view fit);
-
-// The files that the document's starts name, each once, in order, with where they are named.
-std::vector<Name> start_files(const Document& document);
 
 }  // namespace filigree

@@ -1,6 +1,7 @@
 #include "derivation/start_shapes.h"
 
 #include "base/elementary.h"
+#include "language/form_value.h"
 
 namespace filigree {
 namespace {
@@ -21,11 +22,13 @@ ParameterDescription overlap_parameter() {
             .words = {"top", "union", "error"}};
 }
 
-std::vector<OperatorDescription> make_descriptions() {
+enum class Use { start, form };
+
+std::vector<OperatorDescription> make_descriptions(Use use) {
     std::vector<OperatorDescription> all;
     const auto add = [&](std::string_view name, std::string_view help, std::vector<ParameterDescription> parameters,
                          std::string_view example) {
-        parameters.push_back(overlap_parameter());
+        if (use == Use::start) parameters.push_back(overlap_parameter());
         all.push_back({.name = name,
                        .help = help,
                        .source = "gTangle, section 3",
@@ -74,6 +77,7 @@ std::vector<OperatorDescription> make_descriptions() {
           .low = 0,
           .high = largest_px}},
         "start big_poly = file(\"leaf.svg\", id: \"outline\", width: 120mm)");
+    if (use == Use::form) return all;
     add("host", "the shape of another document that embeds this one; on its own, this document's page",
         {{.name = "fit",
           .type = ParameterType::word,
@@ -106,24 +110,54 @@ Polyline ellipse_outline(double rx, double ry, double tolerance) {
 
 }  // namespace
 
-std::vector<Polyline> built_in_outline(const Arguments& arguments, double tolerance) {
-    const std::string_view name = arguments.description->name;
-    if (name == "rectangle") {
-        const double x = arguments.number("width") / 2, y = arguments.number("height") / 2;
-        return {{.points = {{-x, -y}, {x, -y}, {x, y}, {-x, y}}, .closed = true}};
+SymbolicCall call_of(const Arguments& arguments) {
+    SymbolicCall call{std::string(arguments.description->name), {}};
+    for (std::size_t i = 0; i < arguments.values.size(); ++i) {
+        call.arguments.push_back(
+            {std::string(arguments.description->parameters[i].name), arguments.values[i].common, {}});
     }
-    if (name == "circle") return {ellipse_outline(arguments.number("radius"), arguments.number("radius"), tolerance)};
-    if (name == "ellipse") return {ellipse_outline(arguments.number("rx"), arguments.number("ry"), tolerance)};
-    if (name == "polygon") {
-        const double radius = arguments.number("radius");
-        return {ring_of_corners(static_cast<std::size_t>(arguments.number("sides")), radius, radius)};
+    return call;
+}
+
+std::vector<Polyline> built_in_outline(const SymbolicCall& shape, double tolerance) {
+    const auto number = [&](std::string_view name) { return number_of(shape, name); };
+    const auto count = [&](std::string_view name) { return static_cast<std::size_t>(number(name)); };
+    Polyline outline;
+    if (shape.name == "rectangle") {
+        const double x = number("width") / 2, y = number("height") / 2;
+        outline = {.points = {{-x, -y}, {x, -y}, {x, y}, {-x, y}}, .closed = true};
+    } else if (shape.name == "circle") {
+        outline = ellipse_outline(number("radius"), number("radius"), tolerance);
+    } else if (shape.name == "ellipse") {
+        outline = ellipse_outline(number("rx"), number("ry"), tolerance);
+    } else if (shape.name == "polygon") {
+        outline = ring_of_corners(count("sides"), number("radius"), number("radius"));
+    } else {
+        outline = ring_of_corners(2 * count("points"), number("outer"), number("inner"));
     }
-    return {ring_of_corners(2 * static_cast<std::size_t>(arguments.number("points")), arguments.number("outer"),
-                            arguments.number("inner"))};
+    const Vec at = std::get<Vec>(argument_of(shape, "at").data);
+    for (Vec& point : outline.points) point = point + at;
+    return {std::move(outline)};
 }
 
 const std::vector<OperatorDescription>& start_shape_descriptions() {
-    static const std::vector<OperatorDescription> descriptions = make_descriptions();
+    static const std::vector<OperatorDescription> descriptions = make_descriptions(Use::start);
+    return descriptions;
+}
+
+const std::vector<OperatorDescription>& shape_forms() {
+    static const std::vector<OperatorDescription> descriptions = make_descriptions(Use::form);
+    return descriptions;
+}
+
+const std::vector<OperatorDescription>& curve_forms() {
+    static const std::vector<OperatorDescription> descriptions = [] {
+        std::vector<OperatorDescription> curves;
+        for (const OperatorDescription& form : shape_forms()) {
+            if (form.name == "path" || form.name == "file") curves.push_back(form);
+        }
+        return curves;
+    }();
     return descriptions;
 }
 

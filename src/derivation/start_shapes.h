@@ -1,4 +1,5 @@
-// The shapes that may stand behind `start TAG =`, described like operators, and the outlines of the built-in ones.
+// The shapes that may stand behind `start TAG =` and wherever an operator takes a form, described like operators, and
+// the outlines of the built-in ones.
 #pragma once
 
 #include <vector>
@@ -9,10 +10,17 @@
 
 namespace filigree {
 
-// All of them: for checking, for `describe` and for the reference.
+// What may stand behind `start TAG =`: for checking, for `describe` and for the reference.
 const std::vector<OperatorDescription>& start_shape_descriptions();
+// The forms of a shape that is placed or drawn as a mark: the same without `host` and without `overlap`.
+const std::vector<OperatorDescription>& shape_forms();
+// The forms of a curve: path and file.
+const std::vector<OperatorDescription>& curve_forms();
 
-// A rectangle, circle, ellipse, polygon or star around the origin, in px, with curves followed to `tolerance`.
-std::vector<Polyline> built_in_outline(const Arguments& arguments, double tolerance);
+// Evaluated arguments as a call with a value for every parameter.
+SymbolicCall call_of(const Arguments& arguments);
+
+// A rectangle, circle, ellipse, polygon or star around `at`, in px, with curves followed to `tolerance`.
+std::vector<Polyline> built_in_outline(const SymbolicCall& shape, double tolerance);
 
 }  // namespace filigree

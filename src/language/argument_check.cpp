@@ -21,6 +21,7 @@ bool takes_numbers(ParameterType type) {
         case ParameterType::angle:
         case ParameterType::direction:
         case ParameterType::lengths:
+        case ParameterType::form:
         case ParameterType::any:
             return true;
         default:
@@ -132,7 +133,8 @@ struct PresetExamples {
             }
             parameters.names.emplace(std::string(earlier.name), std::move(example));
             varying.push_back(earlier.name);
-            if (earlier.type == ParameterType::any || earlier.type == ParameterType::direction) {
+            if (earlier.type == ParameterType::any || earlier.type == ParameterType::direction ||
+                earlier.type == ParameterType::form) {
                 of_any_kind.push_back(earlier.name);
             }
         }

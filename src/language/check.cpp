@@ -66,7 +66,7 @@ std::optional<Diagnostic> wrong_node(const Expression& expression, Place place, 
 // Visits every node, parents first and in the order of the text, until the visitor returns false.
 template <class Visitor>
 void visit_nodes(const Expression& root, const Evaluation& at, Visitor visitor) {
-    const bool any_call = any_call_allowed(at);
+    const bool any_call = bare_words_in_calls(at);
     std::vector<PlacedExpression> open{{&root, top_place(at)}};
     while (!open.empty()) {
         const PlacedExpression node = open.back();

@@ -39,6 +39,8 @@ std::string_view type_name(ParameterType type) {
             return "a point";
         case ParameterType::colour:
             return "a colour";
+        case ParameterType::form:
+            return "a form";
         case ParameterType::any:
             return "a value";
     }

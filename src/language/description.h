@@ -9,6 +9,8 @@
 
 namespace filigree {
 
+struct OperatorDescription;
+
 enum class ParameterType {
     whole,      // a whole number
     real,       // a number
@@ -21,7 +23,8 @@ enum class ParameterType {
     text,
     point,  // (x, y) in lengths
     colour,
-    any,  // what it is, unconverted; a bare word that names nothing stands for itself
+    form,  // one of `words`, or a call of one of `forms`; also a number where `low` and `high` bound it
+    any,   // what it is, unconverted; a bare word that names nothing stands for itself
 };
 
 struct ParameterDescription {
@@ -31,9 +34,11 @@ struct ParameterDescription {
     // As the document would write it; may use the parameters before it. Empty: must be given.
     std::string_view default_text = {};
     double low = -1e300, high = 1e300;           // allowed values, both ends included (px, degrees, plain)
-    std::vector<std::string_view> words = {};    // for `word` and `direction`
+    std::vector<std::string_view> words = {};    // for `word`, `direction` and `form`
     std::vector<std::string_view> calls = {};    // for `direction`: names of calls with one argument
     std::vector<std::string_view> aliases = {};  // other names for the argument
+    // For `form`: the calls that may stand here, such as star(5, 20, 8). Must outlive the description.
+    const std::vector<OperatorDescription>* forms = nullptr;
 };
 
 struct PortDescription {

@@ -217,7 +217,7 @@ Maybe Evaluator::list_item(const Expression& expression, const CallExpression& c
 Maybe Evaluator::symbolic(const Expression& expression, const CallExpression& call, Place place) {
     SymbolicCall result{call.name, {}};
     Place argument_place = operand_place(place);
-    argument_place.result = argument_place.symbols = any_call_allowed(at_);
+    argument_place.result = argument_place.symbols = bare_words_in_calls(at_);
     bool complete = true;
     for (const CallArgument& argument : call.arguments) {
         Maybe found = part(argument.value, argument_place, expression);

@@ -62,6 +62,7 @@ struct Evaluation {
     std::vector<std::string_view> words = {};
     // Names of calls that are no functions and are kept as SymbolicCall; "*": any, with bare words as arguments.
     std::vector<std::string_view> calls = {};
+    bool words_in_calls = false;            // whether such calls take bare words as arguments in any case
     bool whole = false;                     // ranges are drawn as whole numbers, both ends included
     const ChoiceMaking* choices = nullptr;  // null: drawn at random and not recorded
 };

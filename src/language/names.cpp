@@ -72,6 +72,7 @@ bool is_word(const Evaluation& at, std::string_view name, Place place) {
 }
 
 bool any_call_allowed(const Evaluation& at) { return contains(at.calls, "*"); }
+bool bare_words_in_calls(const Evaluation& at) { return at.words_in_calls || any_call_allowed(at); }
 
 Place top_place(const Evaluation& at) { return {true, contains(at.words, "*"), at.whole, at.by_shape}; }
 

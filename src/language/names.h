@@ -34,6 +34,7 @@ Diagnostic unknown_call(const CallExpression& call, SourceSpan span, const Evalu
 Diagnostic each_outside(SourceSpan span);
 
 bool any_call_allowed(const Evaluation& at);
+bool bare_words_in_calls(const Evaluation& at);
 
 // Where the whole expression stands.
 Place top_place(const Evaluation& at);

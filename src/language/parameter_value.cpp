@@ -5,6 +5,7 @@
 
 #include "base/number_text.h"
 #include "language/colour_words.h"
+#include "language/form_value.h"
 #include "language/names.h"
 
 namespace filigree {
@@ -137,6 +138,11 @@ Evaluation expected_by(const ParameterDescription& parameter, const Document& do
         case ParameterType::colour:
             at.words = colour_words_beside(scope);
             break;
+        case ParameterType::form:
+            at.words = parameter.words;
+            at.calls = form_names(parameter);
+            at.words_in_calls = true;
+            break;
         case ParameterType::any:
             at.words = {"*"};
             break;
@@ -193,6 +199,8 @@ Result<Value> converted(const ParameterDescription& parameter, const Value& valu
             if (!colour) return retold(parameter, value, colour, span);
             return Value{*colour, {}};
         }
+        case ParameterType::form:
+            return to_form(parameter, value, document, span);
         case ParameterType::any:
             return value;
     }
@@ -214,6 +222,8 @@ Value example_of(const ParameterDescription& parameter) {
         case ParameterType::flag:
             return {false, {}};
         case ParameterType::word:
+        case ParameterType::form:
+            if (parameter.words.empty() && takes_numbers(parameter)) return bare(number);
             return {Symbol{std::string(parameter.words.empty() ? "" : parameter.words.front())}, {}};
         case ParameterType::lengths:
             return {ValueList{{length(number)}}, {}};

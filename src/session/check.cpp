@@ -82,9 +82,10 @@ public:
         if (checked.settings->symmetry) {
             take({error("document.no-symmetry", "tangles know no symmetry", checked.settings->symmetry->span)});
         }
+        checked.shapes = std::make_shared<const ShapeSource>(opened.inputs, checked.settings->resolution);
         // A missing file is said already; the start would only say it again.
         if (!opened.has_failed) {
-            Result<PlaneStart> start = make_plane_start(*checked.settings, opened.document, opened.inputs, site);
+            Result<PlaneStart> start = make_plane_start(*checked.settings, opened.document, *checked.shapes, site);
             take(start.diagnostics());
             if (start) checked.start = std::move(*start);
         }
@@ -163,7 +164,8 @@ std::vector<std::string> start_tags(const OpenedDocument& opened, const Settings
         if (!start->from) tags.push_back(start->tag.text);
     }
     if (!has_layers) return tags;
-    const Result<PlaneStart> start = make_plane_start(settings, opened.document, opened.inputs);
+    const ShapeSource shapes(opened.inputs, settings.resolution);
+    const Result<PlaneStart> start = make_plane_start(settings, opened.document, shapes);
     if (!start) return tags;
     for (const StartGroup& group : start->groups) {
         if (std::find(tags.begin(), tags.end(), group.tag) == tags.end()) tags.push_back(group.tag);

@@ -14,10 +14,11 @@
 namespace filigree {
 
 struct CheckedDocument {
-    std::optional<Settings> settings;        // none where they could not be read
-    std::optional<tangle::Grammar> grammar;  // likewise
-    std::optional<PlaneStart> start;         // likewise
-    std::vector<const GroupRule*> rules;     // as they stand in the document
+    std::optional<Settings> settings;           // none where they could not be read
+    std::optional<tangle::Grammar> grammar;     // likewise
+    std::optional<PlaneStart> start;            // likewise
+    std::shared_ptr<const ShapeSource> shapes;  // what its forms mean; null where the settings could not be read
+    std::vector<const GroupRule*> rules;        // as they stand in the document
     tangle::RuleGraph graph;
     std::shared_ptr<const Replay> replay;  // of OpenedDocument::choices; null where there are none
     // Of OpenedDocument::embedded, each checked once and shared like that; null where that is.

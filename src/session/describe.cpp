@@ -7,6 +7,7 @@
 #include "base/number_text.h"
 #include "derivation/start_shapes.h"
 #include "language/evaluate.h"
+#include "language/form_value.h"
 #include "session/engines.h"
 
 namespace filigree {
@@ -48,6 +49,7 @@ std::string takes_text(const ParameterDescription& parameter) {
     if (!parameter.words.empty())
         text += (parameter.type == ParameterType::word ? ": " : ", ") + joined(parameter.words, ", ");
     for (const std::string_view call : parameter.calls) text += ", " + std::string(call) + "(...)";
+    for (const std::string_view form : form_names(parameter)) text += ", " + std::string(form) + "(...)";
     if (const std::string range = range_text(parameter); !range.empty()) text += "; " + range;
     text += parameter.default_text.empty() ? "; must be given" : "; default " + std::string(parameter.default_text);
     return text;
@@ -126,6 +128,10 @@ Json operator_json(const OperatorDescription& op) {
         if (parameter.high < unbounded) one["high"] = parameter.high;
         if (!parameter.words.empty()) one["words"] = parameter.words;
         if (!parameter.calls.empty()) one["calls"] = parameter.calls;
+        if (parameter.forms != nullptr) {
+            one["forms"] = Json::array();
+            for (const OperatorDescription& form : *parameter.forms) one["forms"].push_back(operator_json(form));
+        }
         json["parameters"].push_back(std::move(one));
     }
     json["outputs"] = Json::array();

@@ -65,7 +65,7 @@ public:
         run->checked = *checked;
         const Settings& settings = *run->checked->settings;
         Result<PlaneStart> start =
-            make_plane_start(settings, document.opened->document, document.opened->inputs, request.site, &request.host);
+            make_plane_start(settings, document.opened->document, *run->checked->shapes, request.site, &request.host);
         if (!start) {
             const std::string& code = start.diagnostics().front().code;
             if (code == "start.too-small" || code == "start.empty") return std::shared_ptr<const Embedded>();
@@ -76,6 +76,7 @@ public:
         tangle::DeriveOptions options;
         options.site = request.site;
         options.embed = inner_[*which];
+        options.shapes = run->checked->shapes.get();
         options.element_budget = request.element_budget;
         SerialExecutor serial;
         Result<tangle::Tangle> tangle =
@@ -121,6 +122,7 @@ private:
         Result<Settings> settings = read_settings(document.opened->document, request.site);
         if (!settings) return std::move(settings).diagnostics();
         checked->settings = std::move(*settings);
+        checked->shapes = std::make_shared<const ShapeSource>(document.opened->inputs, checked->settings->resolution);
         Result<tangle::Grammar> grammar =
             tangle::read_grammar(*checked->settings, document.opened->document,
                                  start_tags(*document.opened, *checked->settings), embeddable(*document.opened));

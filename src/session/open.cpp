@@ -252,7 +252,7 @@ private:
         }
         inner->inputs = outer.inputs;
         inner->first_source = outer.first_source;
-        load_start_files(*inner, folder);
+        load_named_files(*inner, folder);
         // It may name the systems that stand before it, so no two can embed each other; but not itself.
         ++depth_;
         open_inside(*inner, folder, outer.embedded);
@@ -347,7 +347,7 @@ private:
         EmbeddableDocument info{name, true, {}, {}, {}};
         // Nothing of it could be read: all that follows from that would only be said beside the reason.
         if (inner->has_failed && inner->document.statements.empty()) return {std::move(info), nullptr};
-        load_start_files(*inner, folder);
+        load_named_files(*inner, folder);
         open_inside(*inner, folder, {});
         info.parameters = parameters_of(inner->document);
         info.fingerprint = fingerprint(*inner, text);
@@ -370,8 +370,8 @@ private:
         return true;
     }
 
-    void load_start_files(OpenedDocument& opened, const std::string& folder) {
-        for (const Name& file : start_files(opened.document)) {
+    void load_named_files(OpenedDocument& opened, const std::string& folder) {
+        for (const Name& file : named_files(opened.document)) {
             if (find_input(opened.inputs, file.text) != nullptr) continue;
             const Result<std::string> bytes = source_.load(beside(folder, file.text));
             if (bytes) opened.inputs.push_back({file.text, *bytes});
@@ -410,7 +410,7 @@ OpenedDocument opened_from(std::string name, const std::string& shown_name, std:
     if (options.seed && !has_errors(parsed.diagnostics)) edit(with_seed(parsed.document, *options.seed));
     opened.document = std::move(parsed.document);
     opened.diagnostics = std::move(parsed.diagnostics);
-    for (const Name& file : start_files(opened.document)) {
+    for (const Name& file : named_files(opened.document)) {
         const Result<std::string> bytes = source.load(file.text);
         for (Diagnostic reason : bytes.diagnostics()) {
             reason.span = file.span;

@@ -68,7 +68,8 @@ PickedStep picked_step(const Layer& layer, std::uint32_t number, std::size_t sha
         if (text == tangle::not_given) continue;
         picked.arguments.emplace_back(std::string(step.arguments.description->parameters[i].name), text);
     }
-    if (rule.op->scatters) picked.arguments.emplace_back("scatter", to_text(std::uint64_t{step.scatter}));
+    if (scatters(*rule.op, step.arguments))
+        picked.arguments.emplace_back("scatter", to_text(std::uint64_t{step.scatter}));
     return picked;
 }
 

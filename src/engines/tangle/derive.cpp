@@ -66,7 +66,8 @@ public:
           executor_(executor),
           element_limit_(std::min(settings.limits.elements, options.element_budget.value_or(UINT64_MAX))),
           walk_(begin_walk(options.site, document, settings.globals, settings.seed)),
-          reads_(std::make_shared<Reads>(reads_of(grammar, start, settings, document, walk_))),
+          reads_(std::make_shared<Reads>(reads_of(grammar, start, settings, document, walk_,
+                                                  options.shapes != nullptr ? options.shapes->fingerprint() : 0))),
           previous_(options.previous, *reads_) {
         for (const Rule& rule : grammar.rules) per_shape_.push_back(has_per_shape_arguments(rule));
         tangle_.met.resize(walk_.presets.all.size());
@@ -311,7 +312,7 @@ private:
             return;
         }
         expansion.arguments = std::move(*arguments);
-        if (rule.op->scatters) {
+        if (scatters(*rule.op, expansion.arguments)) {
             const Result<std::uint32_t> scatter = draw_scatter(*choices, expansion.key, scope);
             if (!scatter) {
                 expansion.errors = scatter.diagnostics();
@@ -349,7 +350,8 @@ private:
 
     void run_operator(const Group& group, const Rule& rule, Executor& executor, Expansion& expansion) const {
         Result<OperatorOutput> output = rule.op->run({tangle_, group.shapes, expansion.arguments, expansion.scatter,
-                                                      expansion.key, settings_.resolution, element_budget(), executor});
+                                                      expansion.key, settings_.resolution, element_budget(), executor,
+                                                      options_.shapes != nullptr ? *options_.shapes : no_shapes_});
         if (output) {
             expansion.output = std::move(*output);
             return;
@@ -619,6 +621,8 @@ private:
     Executor& executor_;
     const std::uint64_t element_limit_;
     mutable SerialExecutor serial_;
+    const Inputs no_inputs_;
+    const ShapeSource no_shapes_{no_inputs_, 0.1};
     const PresetWalk walk_;
     const std::shared_ptr<const Reads> reads_;
     const Previous previous_;

@@ -15,7 +15,6 @@
 #include "base/job.h"
 #include "base/result.h"
 #include "derivation/embedding.h"
-#include "derivation/inputs.h"
 #include "derivation/plane_start.h"
 #include "engines/tangle/grammar.h"
 #include "engines/tangle/tangle.h"
@@ -27,6 +26,7 @@ struct DeriveOptions {
     const Tangle* previous = nullptr;             // of an earlier state of the document
     DocumentSite site;                            // inside a shape of another document, or on its own
     EmbedFunction embed;                          // must be given if a rule embeds
+    const ShapeSource* shapes = nullptr;          // must be given if an argument is a form
     std::optional<std::uint64_t> element_budget;  // where it is less than the document's own limit
 };
 

@@ -11,6 +11,7 @@
 
 #include "base/executor.h"
 #include "base/result.h"
+#include "derivation/shape_source.h"
 #include "engines/tangle/tangle.h"
 #include "language/bind.h"
 #include "language/description.h"
@@ -26,6 +27,7 @@ struct OperatorInput {
     double resolution = 0.1;           // px: tolerance of curves
     std::uint64_t element_budget = 0;  // more new shapes than this are refused
     Executor& executor;
+    const ShapeSource& forms;  // what arguments that are forms mean
 };
 
 struct OutputGroup {
@@ -42,7 +44,12 @@ struct Operator {
     OperatorDescription description;
     Result<OperatorOutput> (*run)(const OperatorInput& input) = nullptr;  // null: the derivation runs it itself
     bool scatters = false;  // has randomness of its own, all of it from OperatorInput::scatter
+    bool (*scatters_with)(const Arguments& arguments) = nullptr;  // whether it has, if not with all arguments
 };
+
+inline bool scatters(const Operator& op, const Arguments& arguments) {
+    return op.scatters && (op.scatters_with == nullptr || op.scatters_with(arguments));
+}
 
 // A new shape inside `parent`, whose geometry is the `polygon`-th of the operator's output. `local` tells
 // apart the pieces of one parent and stays when neighbours come or go.

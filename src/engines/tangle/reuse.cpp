@@ -96,9 +96,10 @@ bool keep_their_order(const std::vector<std::string>& old, const std::vector<std
 }  // namespace
 
 Reads reads_of(const Grammar& grammar, const PlaneStart& start, const Settings& settings, const Document& document,
-               const PresetWalk& walk) {
+               const PresetWalk& walk, std::uint64_t files) {
     Reads reads;
-    reads.common = std::to_string(walk.document_seed) + " " + to_text(settings.resolution) + " " +
+    reads.common = std::to_string(walk.document_seed) + " " + std::to_string(files) + " " +
+                   to_text(settings.resolution) + " " +
                    std::to_string(static_cast<int>(bare_unit(&document, {0, 0, 0}))) + (walk.replay ? " replay" : "");
     reads.rules_of_tag.resize(grammar.tags.size());
     for (std::size_t tag = 0; tag < grammar.tags.size(); ++tag) {

@@ -25,14 +25,15 @@ struct Fingerprint {
 };
 
 struct Reads {
-    std::string common;                            // seed, resolution, units: where it differs, every step is run again
-    std::vector<std::string> rules_of_tag;         // of each tag
-    std::vector<std::string> presets;              // of each preset in force
+    std::string common;                     // seed, files, resolution, units: where it differs, every step is run again
+    std::vector<std::string> rules_of_tag;  // of each tag
+    std::vector<std::string> presets;       // of each preset in force
     std::vector<std::vector<Fingerprint>> places;  // of each node of each of the presets' trees
     PlaneStart start;
 };
+// `files`: a fingerprint of the files that forms may name.
 Reads reads_of(const Grammar& grammar, const PlaneStart& start, const Settings& settings, const Document& document,
-               const PresetWalk& walk);
+               const PresetWalk& walk, std::uint64_t files);
 
 class Previous {
 public:

@@ -17,6 +17,7 @@ Operator place_operator();
 Operator regroup_operator();
 Operator regular_split_operator();
 Operator stipple_operator();
+Operator transform_operator();
 Operator ungroup_operator();
 
 // All operators by name.

@@ -1,0 +1,77 @@
+#include "derivation/inputs.h"
+
+#include <algorithm>
+
+#include "language/walk.h"
+
+namespace filigree {
+
+namespace {
+
+class FileFinder {
+public:
+    std::vector<Name> files;
+
+    void look_into(const std::vector<Statement>& statements) {
+        for (const Statement& statement : statements) std::visit(*this, statement.node);
+    }
+
+    void operator()(const ParamStatement& param) { look_into(param.value); }
+    void operator()(const LetStatement& let) { look_into(let.value); }
+    void operator()(const StartStatement& start) {
+        if (start.from) add(start.from->text, start.from->span);
+        look_into(start.value);
+    }
+    void operator()(const GroupRule& rule) { look_into(rule.arguments); }
+    void operator()(const PresetStatement& preset) { look_into(preset.value); }
+    void operator()(const ApplyStatement& apply) { look_into(apply.arguments); }
+    void operator()(const OperatorStatement& macro) { look_into(macro.statements); }
+    template <class Other>
+    void operator()(const Other&) {}  // a system is a document of its own
+
+private:
+    void add(const std::string& name, SourceSpan span) {
+        const bool known = std::any_of(files.begin(), files.end(), [&](const Name& file) { return file.text == name; });
+        if (!known) files.push_back({name, span});
+    }
+
+    void look_into(const std::vector<CallArgument>& arguments) {
+        for (const CallArgument& argument : arguments) look_into(argument.value);
+    }
+    void look_into(const ExpressionPtr& root) {
+        std::vector<const Expression*> open;
+        if (root) open.push_back(root.get());
+        while (!open.empty()) {
+            const Expression& expression = *open.back();
+            open.pop_back();
+            if (const auto* call = std::get_if<CallExpression>(&expression.node)) add_file_of(*call);
+            const std::vector<PlacedExpression> parts = parts_of(expression, {}, true);
+            for (auto part = parts.rbegin(); part != parts.rend(); ++part) open.push_back(part->expression);
+        }
+    }
+
+    // The argument that names a file, by its name or its place.
+    void add_file_of(const CallExpression& call) {
+        const bool is_text = call.name == "text";
+        if (!is_text && call.name != "file" && call.name != "image") return;
+        const std::string_view wanted = is_text ? "font" : "name";
+        std::size_t place = is_text ? 1 : 0;
+        for (const CallArgument& argument : call.arguments) {
+            const auto* key = argument.key ? std::get_if<NameReference>(&argument.key->node) : nullptr;
+            if (argument.key ? key == nullptr || key->name != wanted : place-- != 0) continue;
+            const auto* text = argument.value ? std::get_if<TextLiteral>(&argument.value->node) : nullptr;
+            if (text != nullptr) add(text->text, argument.value->span);
+            return;
+        }
+    }
+};
+
+}  // namespace
+
+std::vector<Name> named_files(const Document& document) {
+    FileFinder finder;
+    finder.look_into(document.statements);
+    return std::move(finder.files);
+}
+
+}  // namespace filigree
