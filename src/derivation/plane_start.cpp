@@ -13,6 +13,9 @@
 namespace filigree {
 namespace {
 
+// px^2: what outlines that nearly share a border leave of a covered shape beside its true rest.
+constexpr double least_fragment = 1e-3;
+
 // One shape as a start gives it, before overlaps are resolved.
 struct Piece {
     Polygons area;  // one polygon or several
@@ -80,6 +83,7 @@ public:
 
     Result<PlaneStart> build() {
         walk_ = begin_walk(site_, document_, settings_.globals, settings_.seed);
+        read_symmetry();
         for (const Statement& statement : document_.statements) {
             if (const auto* start = std::get_if<StartStatement>(&statement.node)) add_start(*start);
         }
@@ -166,6 +170,13 @@ private:
             accept(std::move(pieces), overlap, whole);
             return;
         }
+        if (arguments.description->name == "cell") {
+            if (auto cell = symmetry_cell(arguments, whole)) {
+                pieces.push_back({std::move(*cell), start.tag.text, child(key, 0), number});
+                accept_own(std::move(pieces), overlap, whole);
+            }
+            return;
+        }
         const SymbolicCall shape = call_of(arguments);
         const Result<ShapeSource::Parts> parts = shapes_.parts(shape);
         refuse(parts.diagnostics(), whole);  // warnings too
@@ -179,6 +190,66 @@ private:
             if (!add_to(pieces, part.lines, part.rule, start.tag.text, key, number, whole)) return;
         }
         accept_own(std::move(pieces), overlap, whole);
+    }
+
+    // --- symmetry ---
+
+    void read_symmetry() {
+        const bool has_tile = settings_.page.kind == PageStatement::Kind::tile;
+        if (settings_.symmetry) {
+            Result<SymmetryGroup> group = find_symmetry(settings_.symmetry->text, settings_.symmetry->span);
+            if (!group) return refuse(group.diagnostics(), settings_.symmetry->span);
+            group_ = std::move(*group);
+        } else if (has_tile) {
+            group_ = *find_symmetry("p1");
+        }
+        if (group_ && has_tile) set_tile({settings_.page.width, settings_.page.height}, span_of_page());
+    }
+    SourceSpan span_of_page() const {
+        for (const Statement& statement : document_.statements) {
+            if (std::holds_alternative<PageStatement>(statement.node)) return statement.span;
+        }
+        return {};
+    }
+    void set_tile(Vec px, SourceSpan span) {
+        Result<Point> tile = fit_tile(*group_, px, span);
+        refuse(tile.diagnostics(), span);  // warnings too
+        if (tile) tile_ = *tile;
+    }
+
+    // The domain of the symmetry; none, and an error, where that is not known. Already on the grid: its corners must
+    // stay where they are, so that the copies meet.
+    std::optional<Polygons> symmetry_cell(const Arguments& arguments, SourceSpan span) {
+        const auto fail = [&](Diagnostic reason) {
+            diagnostics_.push_back(at_span(std::move(reason), span));
+            return std::nullopt;
+        };
+        if (!group_) {
+            if (settings_.symmetry) return std::nullopt;  // its name is wrong, which is said
+            return fail(error("start.no-symmetry", "cell() is the domain of a symmetry, and the document has none", {},
+                              {"add one, such as: symmetry p4m"}));
+        }
+        const double width = arguments.number("width"), height = arguments.number("height");
+        const bool given = width > 0;
+        if (is_rosette(*group_)) {
+            const double side = given ? width : tile_ ? std::min(to_px(*tile_).x, to_px(*tile_).y) : 400;
+            return domain_of(Symmetry(*group_, tile_.value_or(Point{})), side / 2, settings_.resolution);
+        }
+        if (given && tile_) {
+            return fail(error("start.two-cell-sizes", "the size of the tile is said already", {},
+                              {"here, write cell() without a size"}));
+        }
+        if (!given && !tile_) {
+            return fail(error("start.no-cell-size", "how large the cell is must be said once", {},
+                              {"such as: cell(120), or page tile 120 x 120"}));
+        }
+        if (given) {
+            constexpr double root_of_three = 1.7320508075688772;
+            const double fitting = group_->lattice == Lattice::hexagonal ? width * root_of_three : width;
+            set_tile({width, height > 0 ? height : fitting}, span);
+            if (!tile_) return std::nullopt;
+        }
+        return domain_of(Symmetry(*group_, *tile_), 0, settings_.resolution);
     }
 
     // The way in which all host(...) of the document take the host's shape; false, and an error, where two differ.
@@ -298,21 +369,28 @@ private:
         start.in_host = host_ != nullptr && !fit_.empty();
         start.leaves_host = start.in_host && has_own_shapes_;
         start.to_host = to_host_;
-        for (const Piece& piece : pieces_) {
-            if (piece.area.empty()) continue;
-            auto group = std::find_if(start.groups.begin(), start.groups.end(),
-                                      [&](const StartGroup& known) { return known.tag == piece.tag; });
-            if (group == start.groups.end()) {
-                const Key first = first_pieces_.find(piece.tag)->second;
-                start.groups.push_back({piece.tag, child(Key{hash_text("start group")}, first.value), {}});
-                group = start.groups.end() - 1;
-            }
-            for (std::size_t i = 0; i < piece.area.size(); ++i) {
-                group->shapes.push_back({static_cast<std::uint32_t>(start.polygons.size()), child(piece.key, i)});
-                start.polygons.add(piece.area[i]);
-            }
+        for (const Piece& piece : pieces_) add_to_start(start, piece);
+        if (group_) {
+            if (!tile_ && !is_rosette(*group_)) tile_ = tile_around(*group_, bounds(start.polygons));
+            start.symmetry.emplace(*group_, tile_.value_or(Point{}));
         }
         return start;
+    }
+
+    void add_to_start(PlaneStart& start, const Piece& piece) const {
+        if (piece.area.empty()) return;
+        auto group = std::find_if(start.groups.begin(), start.groups.end(),
+                                  [&](const StartGroup& known) { return known.tag == piece.tag; });
+        if (group == start.groups.end()) {
+            const Key first = first_pieces_.find(piece.tag)->second;
+            start.groups.push_back({piece.tag, child(Key{hash_text("start group")}, first.value), {}});
+            group = start.groups.end() - 1;
+        }
+        for (std::size_t i = 0; i < piece.area.size(); ++i) {
+            if (area(piece.area[i]) < least_fragment && piece.area.size() > 1) continue;
+            group->shapes.push_back({static_cast<std::uint32_t>(start.polygons.size()), child(piece.key, i)});
+            start.polygons.add(piece.area[i]);
+        }
     }
 
     const Settings& settings_;
@@ -326,7 +404,9 @@ private:
     std::map<std::string, std::uint32_t> starts_of_tag_;
     std::map<std::string, Key> first_pieces_;  // of each tag
     bool has_own_shapes_ = false;              // a start is not host(...)
-    std::string fit_;                          // of the starts by host(...); empty where there is none
+    std::optional<SymmetryGroup> group_;
+    std::optional<Point> tile_;
+    std::string fit_;  // of the starts by host(...); empty where there is none
     Transform to_host_;
     std::vector<Piece> pieces_;
     Diagnostics diagnostics_;

@@ -6,6 +6,7 @@
 // origin unless `at: (x, y)` says otherwise.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "language/preset_walk.h"
 #include "language/settings.h"
 #include "plane/polygon.h"
+#include "plane/symmetry.h"
 #include "plane/transform.h"
 
 namespace filigree {
@@ -35,12 +37,13 @@ struct StartGroup {
 };
 struct PlaneStart {
     Polygons polygons;
-    std::vector<StartGroup> groups;  // in the order in which their tags first appear
-    ChoiceBuffer choices;            // made in the starts' arguments
-    std::vector<std::uint32_t> met;  // presets in force that a start has met
-    bool in_host = false;            // whether a start is the host's shape
-    bool leaves_host = false;        // whether another start may reach beyond it
-    Transform to_host;               // from this document's coordinates to the host's, where in_host
+    std::vector<StartGroup> groups;    // in the order in which their tags first appear
+    ChoiceBuffer choices;              // made in the starts' arguments
+    std::vector<std::uint32_t> met;    // presets in force that a start has met
+    bool in_host = false;              // whether a start is the host's shape
+    bool leaves_host = false;          // whether another start may reach beyond it
+    std::optional<Symmetry> symmetry;  // at its place; p1 where there is but a `page tile`
+    Transform to_host;                 // from this document's coordinates to the host's, where in_host
 
     bool is_same(const PlaneStart& other) const { return polygons == other.polygons && groups == other.groups; }
 };

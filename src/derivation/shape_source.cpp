@@ -5,7 +5,10 @@
 
 #include "base/random.h"
 #include "derivation/start_shapes.h"
+#include "formats/font.h"
+#include "formats/image_read.h"
 #include "language/form_value.h"
+#include "plane/silhouette.h"
 
 namespace filigree {
 
@@ -32,7 +35,16 @@ Diagnostic missing(const std::string& file) {
                  {"files are looked up beside the document"});
 }
 
-// Problems of a file, told where it is used.
+// Problems and warnings without a place in the file, told where it is used.
+Diagnostics named(Diagnostics reasons, const std::string& file) {
+    for (Diagnostic& reason : reasons) {
+        reason.message = "in '" + file + "': " + reason.message;
+        reason.span = {};
+    }
+    return reasons;
+}
+
+// Problems of a text file, told where it is used.
 Diagnostics told_of(Diagnostics reasons, const Input& input) {
     for (Diagnostic& reason : reasons) {
         const auto size = static_cast<std::uint32_t>(input.bytes.size());
@@ -97,6 +109,68 @@ Shared file_parts(const SymbolicCall& shape, const SvgPicture& picture, double r
     return shared(std::move(parts));
 }
 
+// Moves parts so that the middle of their box comes to lie at a point.
+void centre_at(PartList& parts, Vec at) {
+    double low_x = std::numeric_limits<double>::infinity(), low_y = low_x, high_x = -low_x, high_y = -low_x;
+    for (const ShapePart& part : parts) {
+        for (const Polyline& line : part.lines) {
+            for (const Vec& point : line.points) {
+                low_x = std::min(low_x, point.x);
+                low_y = std::min(low_y, point.y);
+                high_x = std::max(high_x, point.x);
+                high_y = std::max(high_y, point.y);
+            }
+        }
+    }
+    if (!(high_x >= low_x)) return;
+    const Vec shift = at - Vec{(low_x + high_x) / 2, (low_y + high_y) / 2};
+    for (ShapePart& part : parts) {
+        for (Polyline& line : part.lines) {
+            for (Vec& point : line.points) point = point + shift;
+        }
+    }
+}
+
+Shared text_parts(const SymbolicCall& shape, const Inputs& inputs, double resolution) {
+    const std::string& font = text_of(shape, "font");
+    const Input* input = find_input(inputs, font);
+    if (input == nullptr) return missing(font);
+    TextOptions options;
+    options.line_height = number_of(shape, "line_height");
+    options.letter_spacing = number_of(shape, "spacing");
+    const std::string_view align = word_of(shape, "align");
+    options.align = align == "left" ? TextAlign::left : align == "right" ? TextAlign::right : TextAlign::centre;
+    const auto glyphs = text_outlines(input->bytes, text_of(shape, "text"), number_of(shape, "size"), options);
+    if (!glyphs) return named(glyphs.diagnostics(), font);
+    PartList parts;
+    for (const Glyph& glyph : *glyphs) {
+        parts.push_back({flatten(glyph.path, resolution), FillRule::nonzero, true, glyph.text});
+    }
+    centre_at(parts, std::get<Vec>(argument_of(shape, "at").data));
+    return shared(std::move(parts), named(glyphs.diagnostics(), font));
+}
+
+PartList image_parts(const SymbolicCall& shape, const GreyImage& image) {
+    SilhouetteOptions options;
+    options.threshold = number_of(shape, "threshold");
+    options.least_area = number_of(shape, "specks");
+    const bool light = std::get<bool>(argument_of(shape, "light").data);
+    GreyImage negative;
+    if (light) {
+        negative = image;
+        for (float& darkness : negative.darkness) darkness = 1 - darkness;
+        options.threshold = 1 - options.threshold;
+    }
+    const double width = number_of(shape, "width");
+    const double scale = width > 0 && image.width > 0 ? width / image.width : 1;
+    PartList parts{{silhouette(light ? negative : image, options), FillRule::nonzero, true, {}}};
+    for (Polyline& line : parts.front().lines) {
+        for (Vec& point : line.points) point = scale * point;
+    }
+    centre_at(parts, std::get<Vec>(argument_of(shape, "at").data));
+    return parts;
+}
+
 }  // namespace
 
 ShapeSource::ShapeSource(const Inputs& inputs, double resolution) : inputs_(inputs), resolution_(resolution) {
@@ -126,6 +200,12 @@ Result<ShapeSource::Parts> ShapeSource::parts(const SymbolicCall& shape) const {
             Shared parts = file_parts(shape, **found, resolution_);
             if (!parts) return parts;
             return {*parts, found.diagnostics()};
+        }
+        if (shape.name == "text") return text_parts(shape, inputs_, resolution_);
+        if (shape.name == "image") {
+            const auto found = image(text_of(shape, "name"));
+            if (!found) return found.diagnostics();
+            return shared(image_parts(shape, **found), found.diagnostics());
         }
         return shared({{built_in_outline(shape, resolution_), FillRule::nonzero, true, {}}});
     });
@@ -166,11 +246,18 @@ Result<std::shared_ptr<const SvgPicture>> ShapeSource::picture(const std::string
         if (input == nullptr) return missing(file);
         Result<SvgPicture> picture = read_svg(input->bytes, SourceSpan::no_file);
         if (!picture) return told_of(std::move(picture).diagnostics(), *input);
-        Diagnostics notes;
-        for (const Diagnostic& note : picture.diagnostics()) {
-            notes.push_back(warning(note.code, "in '" + file + "': " + note.message, {}, note.hints));
-        }
+        Diagnostics notes = named(picture.diagnostics(), file);
         return {std::make_shared<const SvgPicture>(std::move(*picture)), std::move(notes)};
+    });
+}
+
+Result<std::shared_ptr<const GreyImage>> ShapeSource::image(const std::string& file) const {
+    return once(images_, file, [&]() -> Result<std::shared_ptr<const GreyImage>> {
+        const Input* input = find_input(inputs_, file);
+        if (input == nullptr) return missing(file);
+        Result<GreyImage> image = read_image(input->bytes);
+        if (!image) return named(image.diagnostics(), file);
+        return {std::make_shared<const GreyImage>(std::move(*image)), named(image.diagnostics(), file)};
     });
 }
 

@@ -23,7 +23,7 @@ enum class ParameterType {
     text,
     point,  // (x, y) in lengths
     colour,
-    form,  // one of `words`, or a call of one of `forms`; also a number where `low` and `high` bound it
+    form,  // one of `words`, or a call of one of `forms`; also a number where `low` and `high` bound it, or a point
     any,   // what it is, unconverted; a bare word that names nothing stands for itself
 };
 
@@ -39,6 +39,7 @@ struct ParameterDescription {
     std::vector<std::string_view> aliases = {};  // other names for the argument
     // For `form`: the calls that may stand here, such as star(5, 20, 8). Must outlive the description.
     const std::vector<OperatorDescription>* forms = nullptr;
+    bool takes_points = false;  // for `form`
 };
 
 struct PortDescription {

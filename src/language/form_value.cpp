@@ -1,6 +1,7 @@
 #include "language/form_value.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "language/names.h"
@@ -131,14 +132,17 @@ Result<Value> to_form(const ParameterDescription& parameter, const Value& value,
             return FormBinder(*form, document, span).run(*call);
         }
     }
+    if (const auto* point = std::get_if<Vec>(&value.data); point != nullptr && parameter.takes_points) {
+        if (std::isfinite(point->x) && std::isfinite(point->y)) return Value{*point, {}};
+    }
     if (takes_numbers(parameter)) {
         if (const Result<double> number = as_number(value)) return Value{Quantity{*number, 0, false}, {}};
     }
     std::vector<std::string_view> known = parameter.words;
     for (const std::string_view name : form_names(parameter)) known.push_back(name);
-    return error(
-        "language.wrong-kind", quoted(parameter.name) + " cannot be " + std::string(kind_of(value)), span,
-        {"it may be " + std::string(takes_numbers(parameter) ? "a number, " : "") + quoted_alternatives(known)});
+    return error("language.wrong-kind", quoted(parameter.name) + " cannot be " + std::string(kind_of(value)), span,
+                 {"it may be " + std::string(takes_numbers(parameter) ? "a number, " : "") +
+                  (parameter.takes_points ? "a point (x, y), " : "") + quoted_alternatives(known)});
 }
 
 const Value& argument_of(const SymbolicCall& call, std::string_view name) {

@@ -13,6 +13,9 @@ void apply(StyleOverride& to, const StyleOverride& later) {
     if (later.stroke) to.stroke = later.stroke;
     if (later.pen) to.pen = later.pen;
     if (later.corner) to.corner = later.corner;
+    if (later.wobble) to.wobble = later.wobble;
+    if (later.wobble_length) to.wobble_length = later.wobble_length;
+    if (later.line) to.line = later.line;
 }
 
 // The styles of one shape, rule by rule.

@@ -27,6 +27,8 @@
 
 namespace filigree {
 
+enum class LineQuality : std::uint8_t { even, drawn };
+
 // What styles say; properties that none names are absent.
 struct StyleOverride {
     using Paint = std::optional<Colour>;  // empty: none
@@ -34,11 +36,14 @@ struct StyleOverride {
     std::optional<Paint> stroke = {};
     std::optional<double> pen = {};  // px, at least 0
     std::optional<Corner> corner = {};
+    std::optional<double> wobble = {};         // px, at least 0: how far drawn lines leave their places at most
+    std::optional<double> wobble_length = {};  // px, at least 1: from crest to crest
+    std::optional<LineQuality> line = {};
 
     bool operator==(const StyleOverride&) const = default;
 };
 
-enum class StylePropertyKind : std::uint8_t { fill, stroke, pen, corner };
+enum class StylePropertyKind : std::uint8_t { fill, stroke, pen, corner, wobble, wobble_length, line };
 
 struct StyleRuleProperty {
     StylePropertyKind kind = StylePropertyKind::fill;
@@ -80,9 +85,9 @@ struct TagStyle {
 // `may_be_preset`: whether a preset may say something of a style; then no style is the same for all shapes.
 TagStyle style_of_tag(const StyleSheet& sheet, std::string_view tag, bool may_be_preset = false);
 
-// How the choices of a shape's styles are made: what presets say at GROUP/SHAPE/SEGMENT of `when`, `fill`, `stroke`,
-// `pen` and `corner`, and where they are recorded: at the key of the shape, folded with the segment, under these names.
-// What the result points to must last until the next call. Empty: drawn by the document's seed and not recorded.
+// How the choices of a shape's styles are made: what presets say at GROUP/SHAPE/SEGMENT of `when` and of the
+// properties, and where they are recorded: at the key of the shape, folded with the segment, under these names. What
+// the result points to must last until the next call. Empty: drawn by the document's seed and not recorded.
 using StyleChoices = std::function<Result<StepChoices>(std::string_view segment)>;
 
 // The style of one shape. Its scope holds the shape's names (its outer scopes come before the globals); choices

@@ -127,7 +127,8 @@ private:
         const std::optional<StylePropertyKind> kind = find_style_property(name);
         if (!kind) {
             std::vector<std::string> hints = did_you_mean(name, style_property_names());
-            if (hints.empty()) hints.push_back("the properties are fill, stroke, pen and corner");
+            if (hints.empty())
+                hints.push_back("the properties are fill, stroke, pen, corner, line, wobble and wobble_length");
             diagnostics_.push_back(error("language.unknown-property", "there is no property '" + name + "'",
                                          property.name.span, std::move(hints)));
             return;

@@ -47,6 +47,9 @@ std::string text_of(const StyleOverride& style) {
     if (style.stroke) out += "stroke " + paint(*style.stroke) + " ";
     if (style.pen) out += "pen " + to_text(*style.pen) + " ";
     if (style.corner) out += "corner " + std::to_string(static_cast<int>(*style.corner)) + " ";
+    if (style.wobble) out += "wobble " + to_text(*style.wobble) + " ";
+    if (style.wobble_length) out += "wobble_length " + to_text(*style.wobble_length) + " ";
+    if (style.line) out += *style.line == LineQuality::drawn ? "drawn " : "even ";
     return out;
 }
 std::string shown(const Styled& result, std::string_view tag, const Scope& shape, std::uint64_t key = 1) {
@@ -71,6 +74,24 @@ TEST(Styles, LaterOnesWinPropertyByProperty) {
     EXPECT_TRUE(leaf.rules.empty());
     EXPECT_EQ(text_of(leaf.common), "fill #aa0033 stroke none pen 2 corner 0 ");
     EXPECT_EQ(text_of(style_of_tag(*styled("").sheet, "leaf").common), "");
+}
+
+TEST(Styles, KnowHowAHandDraws) {
+    const Styled result = styled(
+        "unit mm\nstyle * { wobble: 0.25in; wobble-length: 10 }\n"
+        "style leaf { line: drawn; wobble_length: 1in }\nstyle blob { line: one_of(even, even); wobble: 0 }\n");
+    ASSERT_TRUE(result.sheet);
+    EXPECT_EQ(shown(result, "leaf", shape_of(1)), "wobble 24 wobble_length 96 drawn ");
+    EXPECT_EQ(shown(result, "blob", shape_of(1)).substr(0, 23), "wobble 0 wobble_length ");
+    EXPECT_NE(shown(result, "blob", shape_of(1)).find(" even "), std::string::npos);
+    EXPECT_EQ(complaints("style leaf { line: wavy }"), "language.unknown-name@wavy\n");
+    EXPECT_EQ(complaints("style leaf { line: 3 }"), "language.wrong-kind@3\n");
+    EXPECT_EQ(complaints("style leaf { wobble: -1; wobble-length: 0.5 }"),
+              "language.out-of-range@-1\nlanguage.out-of-range@0.5\n");
+    EXPECT_EQ(complaints("style leaf { wobble: 3deg }"), "language.wrong-kind@3deg\n");
+    EXPECT_EQ(complaints("style leaf { wobbel: 3 }"), "language.unknown-property@wobbel\n");
+    EXPECT_EQ(styled("style leaf { wobble-length: 0.5 }").sheet.diagnostics().front().message,
+              "'wobble_length' must be from 1px to 1000000px, but this is 0.5px");
 }
 
 TEST(Styles, ConditionsAreEvaluatedPerShape) {
@@ -184,6 +205,9 @@ TEST_F(StylePresets, ReplaceProperties) {
     EXPECT_EQ(run(text, "set **.fill = 3\n"), "language.wrong-kind");
     EXPECT_EQ(run(text, "unit mm\nset **.pen = 1\n"), run(text, "set **.pen = 1mm\n")) << "in the unit of its document";
     EXPECT_EQ(run("style leaf { corner: round }\n", "set **.corner = bevel\n"), "corner 2 ");
+    EXPECT_EQ(run("style leaf { line: drawn; wobble: 1 }\n", "set **.line = even\nset **.wobble = 1..1\n"),
+              "wobble 1 even ");
+    EXPECT_EQ(run("style leaf { wobble-length: 9 }\n", "set **.wobble_length = 8\n"), "wobble_length 8 ");
     EXPECT_EQ(run("style leaf { fill: red }\n", "set **.fill = [red, #000001]\n"), "fill #000001 ") << "by the group";
     EXPECT_EQ(run("style leaf { stroke-width: 1 }\n", "set **.pen = width / 5\n"), "pen 2 ");
     EXPECT_EQ(run("style leaf { pen: 1; stroke-width: 2 }\n", ""), "pen 2 ");
@@ -247,6 +271,9 @@ TEST_F(StylePresets, AreCheckedUpFront) {
     EXPECT_EQ(check("pen", "-1"), "language.out-of-range");
     EXPECT_EQ(check("pen", "width / 3"), "");
     EXPECT_EQ(check("corner", "sharp"), "language.unknown-name");
+    EXPECT_EQ(check("line", "drawn"), "");
+    EXPECT_EQ(check("line", "sharp"), "language.unknown-name");
+    EXPECT_EQ(check("wobble", "-1"), "language.out-of-range");
     EXPECT_EQ(check("when", "area > 3 && index < 2"), "");
     EXPECT_EQ(check("when", "area"), "language.wrong-kind");
     EXPECT_EQ(check("other", "nothing"), "");

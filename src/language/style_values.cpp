@@ -15,53 +15,72 @@ struct PropertyName {
     std::string_view name;
     StylePropertyKind kind;
 };
-constexpr std::array<PropertyName, 6> property_names = {{
+constexpr std::array<PropertyName, 10> property_names = {{
     {"fill", StylePropertyKind::fill},
     {"stroke", StylePropertyKind::stroke},
     {"pen", StylePropertyKind::pen},
     {"stroke-width", StylePropertyKind::pen},
     {"corner", StylePropertyKind::corner},
     {"stroke-linejoin", StylePropertyKind::corner},
+    {"line", StylePropertyKind::line},
+    {"wobble", StylePropertyKind::wobble},
+    {"wobble_length", StylePropertyKind::wobble_length},
+    {"wobble-length", StylePropertyKind::wobble_length},
 }};
 
-struct CornerName {
+template <class Meaning>
+struct Word {
     std::string_view name;
-    Corner corner;
+    Meaning means;
 };
-constexpr std::array<CornerName, 4> corner_names = {{
+constexpr std::array<Word<Corner>, 4> corner_words = {{
     {"round", Corner::round},
     {"mitre", Corner::mitre},
     {"miter", Corner::mitre},
     {"bevel", Corner::bevel},
 }};
+constexpr std::array<Word<LineQuality>, 2> line_words = {{
+    {"even", LineQuality::even},
+    {"drawn", LineQuality::drawn},
+}};
 
-constexpr double largest_pen = 1e6;  // px
+constexpr double largest_length = 1e6;  // px
 
 std::string quoted(std::string_view name) { return "'" + std::string(name) + "'"; }
 
-Result<double> pen_of(const Value& value, const Document& document, SourceSpan span) {
+// Of properties that are lengths, the least in px.
+double least_length(StylePropertyKind kind) { return kind == StylePropertyKind::wobble_length ? 1 : 0; }
+
+Result<double> length_of(StylePropertyKind kind, const Value& value, const Document& document, SourceSpan span) {
     const Result<double> px = as_length(value, document);
+    const std::string name = quoted(name_of(kind));
     if (!px) {
         Diagnostic diagnostic = px.diagnostics().front();
         if (diagnostic.code == "language.wrong-kind") {
-            diagnostic.message = "'pen' must be a length, but this is " + std::string(kind_of(value));
+            diagnostic.message = name + " must be a length, but this is " + std::string(kind_of(value));
         }
         diagnostic.span = span;
         return diagnostic;
     }
-    if (*px >= 0 && *px <= largest_pen) return *px;
-    return error("language.out-of-range", "'pen' must be from 0px to 1000000px, but this is " + to_text(*px) + "px",
+    const double least = least_length(kind);
+    if (*px >= least && *px <= largest_length) return *px;
+    return error("language.out-of-range",
+                 name + " must be from " + to_text(least) + "px to 1000000px, but this is " + to_text(*px) + "px",
                  span);
 }
 
-Result<Corner> corner_of(const Value& value, SourceSpan span) {
+template <class Words>
+auto meaning_of(StylePropertyKind kind, const Words& words, std::string_view choice, const Value& value,
+                SourceSpan span) -> Result<decltype(words[0].means)> {
     if (const Symbol* symbol = std::get_if<Symbol>(&value.data)) {
-        for (const CornerName& name : corner_names) {
-            if (name.name == symbol->name) return name.corner;
+        for (const auto& word : words) {
+            if (word.name == symbol->name) return word.means;
         }
     }
-    return error("language.wrong-kind",
-                 "'corner' must be round, mitre or bevel, but this is " + std::string(kind_of(value)), span);
+    return error(
+        "language.wrong-kind",
+        quoted(name_of(kind)) + " must be " + std::string(choice) + ", but this is " + std::string(kind_of(value)),
+        span);
 }
 
 }  // namespace
@@ -104,8 +123,10 @@ std::vector<std::string_view> paint_words_beside(const Scope& globals) {
 void expect(Evaluation& at, const std::vector<std::string_view>& paint_words, StylePropertyKind kind) {
     at.words.clear();
     if (kind == StylePropertyKind::corner) {
-        for (const CornerName& name : corner_names) at.words.push_back(name.name);
-    } else if (kind != StylePropertyKind::pen) {
+        for (const auto& word : corner_words) at.words.push_back(word.name);
+    } else if (kind == StylePropertyKind::line) {
+        for (const auto& word : line_words) at.words.push_back(word.name);
+    } else if (kind == StylePropertyKind::fill || kind == StylePropertyKind::stroke) {
         at.words = paint_words;
     }
 }
@@ -168,16 +189,26 @@ Result<StyleOverride> override_of(StylePropertyKind kind, const Value& value, co
                 paints->is_list ? paint_for_group(paints->items, shape) : paints->items[0];
             return out;
         }
-        case StylePropertyKind::pen: {
-            Result<double> pen = pen_of(value, document, span);
-            if (!pen) return std::move(pen).diagnostics();
-            out.pen = *pen;
+        case StylePropertyKind::pen:
+        case StylePropertyKind::wobble:
+        case StylePropertyKind::wobble_length: {
+            Result<double> px = length_of(kind, value, document, span);
+            if (!px) return std::move(px).diagnostics();
+            (kind == StylePropertyKind::pen      ? out.pen
+             : kind == StylePropertyKind::wobble ? out.wobble
+                                                 : out.wobble_length) = *px;
             return out;
         }
         case StylePropertyKind::corner: {
-            Result<Corner> corner = corner_of(value, span);
+            Result<Corner> corner = meaning_of(kind, corner_words, "round, mitre or bevel", value, span);
             if (!corner) return std::move(corner).diagnostics();
             out.corner = *corner;
+            return out;
+        }
+        case StylePropertyKind::line: {
+            Result<LineQuality> line = meaning_of(kind, line_words, "even or drawn", value, span);
+            if (!line) return std::move(line).diagnostics();
+            out.line = *line;
             return out;
         }
     }

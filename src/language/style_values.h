@@ -11,7 +11,7 @@
 
 namespace filigree {
 
-// By any of its names: stroke-width is pen.
+// By any of its names: stroke-width is pen, and wobble-length wobble_length, which paths can name.
 std::optional<StylePropertyKind> find_style_property(std::string_view name);
 std::vector<std::string_view> style_property_names();
 std::string_view name_of(StylePropertyKind kind);

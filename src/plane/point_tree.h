@@ -1,6 +1,8 @@
-// A set of points, arranged so that those near a segment are found in time logarithmic in the set.
+// A set of points, arranged so that those near a segment are found fast.
 //
-// A balanced k-d tree with a few points to a leaf, so clusters of any density cost nothing extra.
+// Grids in grids: a cell that holds too many points is a grid of its own, fitted to them, so clusters of any
+// density cost little extra. A short segment among evenly spread points looks at a few cells, a long one at the
+// cells along it.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +14,41 @@ namespace filigree {
 
 class PointTree {
 public:
+    static constexpr std::uint32_t none = UINT32_MAX;
+
     // Equal points count once. All must lie on the plane (|x| <= grid_limit).
     explicit PointTree(std::vector<Point> points);
 
     // Appends all points within `distance` grid units of the segment (and a few that are a little farther).
     void find_near(Point a, Point b, double distance, std::vector<Point>& found) const;
 
+    // Each point once, near ones mostly near each other.
+    const std::vector<Point>& points() const { return points_; }
+    std::uint32_t index_of(Point p) const;  // in points(); none where it is not there
+
 private:
-    struct Node {
-        Box box;
-        std::uint32_t begin = 0, end = 0;  // its points
-        std::uint32_t high = 0;            // its second child; the first follows it; 0 for a leaf
+    struct Cell {
+        std::uint32_t begin = 0;    // its points; they end where those of the next cell begin
+        std::uint32_t grid = none;  // those are in this grid instead
     };
-    void build(std::uint32_t begin, std::uint32_t end);
+    struct Grid {
+        Point origin;
+        int shift = 0;  // cells are 2^shift wide
+        std::uint32_t columns = 1, rows = 1;
+        std::size_t first_cell = 0;  // row by row, and one more that ends the last
+    };
+    struct Query;
+
+    std::uint32_t build(Point* points, std::uint32_t count);
+    void find(std::uint32_t grid, const Query& query, std::vector<Point>& found) const;
+    void find_in_row(const Grid& grid, std::int64_t row, std::int64_t first, std::int64_t last, const Query& query,
+                     std::vector<Point>& found) const;
 
     std::vector<Point> points_;
-    std::vector<Node> nodes_;
+    std::vector<Point> sorted_;                  // while it is built
+    std::vector<std::uint32_t> cell_of_, ends_;  // likewise
+    std::vector<Grid> grids_;                    // [0] holds all, if there are points
+    std::vector<Cell> cells_;
 };
 
 }  // namespace filigree

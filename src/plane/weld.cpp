@@ -58,8 +58,10 @@ private:
     void find_inserts(Point a, Point b, std::vector<Insert>& inserts) {
         near_.clear();
         tree_.find_near(a, b, tolerance_, near_);
+        if (near_.size() <= 2) return;  // the ends
         const double farthest = tolerance_ * std::sqrt(static_cast<double>(along(a, b, b)));
         for (const Point c : near_) {
+            if (c == a || c == b) continue;
             const Int128 turn = cross(a, b, c), off = turn < 0 ? -turn : turn;
             const Int128 from_a = along(a, b, c);
             // Below 45 degrees at both ends every new edge is shorter than this one, so the work ends.
@@ -67,34 +69,35 @@ private:
             if (static_cast<double>(off) > farthest) continue;
             inserts.push_back({from_a, c});
         }
+        if (inserts.size() < 2) return;
         std::sort(inserts.begin(), inserts.end(), [](const Insert& x, const Insert& y) {
             return x.along != y.along ? x.along < y.along : x.at < y.at;
         });
     }
 
     void add_between(Point a, Point b, std::vector<Point>& points) {
-        const bool turned_round = b < a;
         const std::size_t first = points.size();
-        waiting_.assign(1, {std::min(a, b), std::max(a, b), turned_round});
+        waiting_.clear();
         // Depth first, in order along the edge as it is asked; `waiting_` holds what is still to come, nearest last.
-        while (!waiting_.empty()) {
-            const Stretch stretch = waiting_.back();
-            waiting_.pop_back();
+        for (Stretch stretch{std::min(a, b), std::max(a, b), b < a};;) {
             inserts_.clear();
             find_inserts(stretch.low, stretch.high, inserts_);
             if (inserts_.empty()) {
                 points.push_back(stretch.turned_round ? stretch.low : stretch.high);
-                continue;
+            } else {
+                chain_.clear();
+                chain_.push_back(stretch.low);
+                for (const Insert& insert : inserts_) chain_.push_back(insert.at);
+                chain_.push_back(stretch.high);
+                if (stretch.turned_round) std::reverse(chain_.begin(), chain_.end());
+                for (std::size_t i = chain_.size() - 1; i > 0; --i) {
+                    const Point from = chain_[i - 1], to = chain_[i];
+                    waiting_.push_back({std::min(from, to), std::max(from, to), to < from});
+                }
             }
-            chain_.clear();
-            chain_.push_back(stretch.low);
-            for (const Insert& insert : inserts_) chain_.push_back(insert.at);
-            chain_.push_back(stretch.high);
-            if (stretch.turned_round) std::reverse(chain_.begin(), chain_.end());
-            for (std::size_t i = chain_.size() - 1; i > 0; --i) {
-                const Point from = chain_[i - 1], to = chain_[i];
-                waiting_.push_back({std::min(from, to), std::max(from, to), to < from});
-            }
+            if (waiting_.empty()) break;
+            stretch = waiting_.back();
+            waiting_.pop_back();
         }
         if (points.size() > first) points.pop_back();  // the far end is the next edge's start
     }

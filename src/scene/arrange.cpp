@@ -13,6 +13,7 @@
 
 #include "plane/clean.h"
 #include "plane/edge_tree.h"
+#include "plane/moved_polygon.h"
 
 namespace filigree {
 
@@ -92,45 +93,24 @@ private:
     EdgeTree tree_;
 };
 
-// The ring on the grid, without repeated points and the spikes that snapping leaves; empty where it leaves the
-// plane.
-std::vector<Point> mapped(RingView ring, const Transform& by) {
-    std::vector<Point> points;
-    for (const Point from : ring) {
-        const Vec to = apply(by, to_px(from));
-        if (!is_on_plane(to)) return {};
-        const Point p = snap(to);
-        if (!points.empty() && points.back() == p) continue;
-        if (points.size() > 1 && points[points.size() - 2] == p) {
-            points.pop_back();
-        } else {
-            points.push_back(p);
-        }
-    }
-    for (bool is_tidy = false; !is_tidy && points.size() > 1;) {  // the same where the ring closes
-        const std::size_t count = points.size();
-        if (points.back() == points.front() || points[count - 2] == points.front()) {
-            points.pop_back();
-        } else if (points.back() == points[1]) {
-            points.erase(points.begin());
-        } else {
-            is_tidy = true;
-        }
-    }
-    if (determinant(by) < 0) std::reverse(points.begin(), points.end());
-    return points;
-}
-
+// Nothing where it leaves the plane or collapses on the grid.
 Polygons mapped(PolygonView polygon, const Transform& by) {
-    Polygons result;
+    Polygons moved;
     for (std::size_t r = 0; r < polygon.ring_count(); ++r) {
-        const std::vector<Point> ring = mapped(polygon.ring(r), by);
-        const Int128 area = doubled_area(ring);
-        const bool is_kept = ring.size() >= 3 && (r == 0 ? area > 0 : area < 0);
-        if (is_kept) result.add_ring(ring);
-        if (!is_kept && r == 0) return {};
+        bool is_whole = true;
+        for (const Point from : polygon.ring(r)) {
+            const Vec to = apply(by, to_px(from));
+            is_whole = is_whole && is_on_plane(to);
+            if (!is_whole) break;
+            moved.points.push_back(snap(to));
+        }
+        if (!is_whole && r == 0) return {};
+        if (!is_whole) moved.points.resize(moved.ring_ends.back());  // a hole is left out
+        moved.end_ring();
     }
-    result.end_polygon();
+    moved.end_polygon();
+    Polygons result;
+    add_moved(result, moved[0], determinant(by) < 0);
     return result;
 }
 

@@ -79,9 +79,6 @@ public:
             if (!checked.settings->engine.empty()) take({unknown_engine(*checked.settings)});
             return checked;
         }
-        if (checked.settings->symmetry) {
-            take({error("document.no-symmetry", "tangles know no symmetry", checked.settings->symmetry->span)});
-        }
         checked.shapes = std::make_shared<const ShapeSource>(opened.inputs, checked.settings->resolution);
         // A missing file is said already; the start would only say it again.
         if (!opened.has_failed) {

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 
+#include "derivation/symmetric_drawing.h"
 #include "engines/tangle/derive.h"
 #include "engines/tangle/draw.h"
 #include "scene/arrange.h"
@@ -88,6 +89,11 @@ public:
             tangle::draw(run->tangle, *run->checked->grammar, settings, document.opened->document,
                          {tangle::ColourBy::style, request.site, {job_.cancel_flag, {}}});
         if (!picture) return failed(std::move(picture).diagnostics());
+        if (run->start.symmetry) {
+            Result<Drawing> all = repeated_over_page(picture->drawing, run->start, settings, {job_.cancel_flag, {}});
+            if (!all) return failed(std::move(all).diagnostics());
+            picture->drawing = std::move(*all);
+        }
         return finished(std::move(run), std::move(*picture), request);
     }
 

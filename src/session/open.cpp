@@ -8,6 +8,7 @@
 #include "base/random.h"
 #include "derivation/plane_start.h"
 #include "formats/files.h"
+#include "formats/pdf_carried.h"
 #include "formats/svg_read.h"
 #include "language/check.h"
 #include "language/edit.h"
@@ -430,9 +431,14 @@ OpenedDocument opened_from(std::string name, const std::string& shown_name, std:
 Result<OpenedDocument> open_document(const fs::path& file, const OpenOptions& options) {
     Result<std::string> text = read_file(file);
     if (!text) return text.diagnostics();
-    if (looks_like_svg(*text)) {
-        const Result<std::optional<CarriedDocument>> found = carried_document(*text, SourceSpan::no_file);
+    const bool is_pdf = text->starts_with("%PDF-");
+    if (is_pdf || looks_like_svg(*text)) {
+        const Result<std::optional<CarriedDocument>> found =
+            is_pdf ? carried_document_of_pdf(*text, SourceSpan::no_file) : carried_document(*text, SourceSpan::no_file);
         if (!found) return found.diagnostics();
+        if (!*found && is_pdf) {
+            return error("document.not-carried", "'" + file.string() + "' is a PDF that carries no document");
+        }
         if (!*found) {
             return error("document.not-carried", "'" + file.string() + "' is an SVG that carries no document", {},
                          {"an SVG can be grown from: start big_poly = file(\"" + file.filename().string() + "\")"});

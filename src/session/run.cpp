@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "derivation/symmetric_drawing.h"
 #include "engines/tangle/derive.h"
 #include "engines/tangle/verify.h"
 #include "session/embed.h"
@@ -79,6 +80,12 @@ Result<Run> run_document(const OpenedDocument& opened, const CheckedDocument& ch
     if (!picture) return picture.diagnostics();
     append(run.diagnostics, picture.diagnostics());
     run.picture = std::move(*picture);
+    if (checked.start->symmetry) {
+        Result<Drawing> all = repeated_over_page(run.picture.drawing, *checked.start, settings, {job.cancel_flag, {}});
+        if (!all) return all.diagnostics();
+        append(run.diagnostics, all.diagnostics());
+        run.picture.drawing = std::move(*all);
+    }
     run.times.draw = now_seconds() - derived;
 
     run.unmatched = unmatched_presets(opened, checked, run);

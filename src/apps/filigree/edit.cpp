@@ -18,8 +18,7 @@ Diagnostics output_problems(const EditCommand& command, const OpenedDocument& op
     std::vector<std::filesystem::path> read = opened.files;
     if (!opened.carries_inputs && !read.empty()) read.erase(read.begin());
     Diagnostics problems = overwrites({command.output}, read);
-    const std::string ending = command.output.extension().string();
-    if (problems.empty() && (ending == ".svg" || ending == ".png")) {
+    if (problems.empty() && is_known_format(command.output)) {
         Diagnostic wrong =
             fault(Fault::usage, "edit.not-a-drawing",
                   "an edited document is text, so it is not written to '" + command.output.string() + "'");

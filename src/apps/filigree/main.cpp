@@ -78,7 +78,7 @@ void add_render(CLI::App& app, Run& run) {
     command.add_option("document", render.document, document_help)->required();
     command
         .add_option("-o,--output", render.outputs,
-                    "what to write; its ending (.svg, .png) is the format; may be repeated")
+                    "what to write; its ending (.svg, .pdf, .png) is the format; may be repeated")
         ->required()
         ->take_all()
         ->expected(1)
@@ -191,7 +191,7 @@ void add_variations(CLI::App& app, Run& run) {
     filigree::VariationsCommand& variations = options->command;
     CLI::App& command = *app.add_subcommand("variations", "neighbours of a document on a contact sheet");
     command.add_option("document", variations.document, document_help)->required();
-    command.add_option("-o,--output", variations.output, "the sheet (.svg, .png), or with --take the document")
+    command.add_option("-o,--output", variations.output, "the sheet (.svg, .pdf, .png), or with --take the document")
         ->required();
     command.add_option("--count", variations.options.count, "how many")
         ->check(CLI::Range(1, 1000))

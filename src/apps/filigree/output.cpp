@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "formats/pdf_write.h"
 #include "formats/png_write.h"
 
 namespace filigree {
@@ -30,14 +31,18 @@ bool same_file(const fs::path& a, const fs::path& b) {
 
 }  // namespace
 
+bool is_known_format(const fs::path& output) {
+    const std::string ending = ending_of(output);
+    return ending == ".svg" || ending == ".pdf" || ending == ".png";
+}
+
 Diagnostics unknown_formats(const std::vector<fs::path>& outputs) {
     Diagnostics problems;
     for (const fs::path& output : outputs) {
-        const std::string ending = ending_of(output);
-        if (ending == ".svg" || ending == ".png") continue;
+        if (is_known_format(output)) continue;
         problems.push_back(usage_error("render.unknown-format",
                                        "'" + output.string() + "' has an ending that is no known format",
-                                       {"known are .svg and .png"}));
+                                       {"known are .svg, .pdf and .png"}));
     }
     return problems;
 }
@@ -69,6 +74,12 @@ Diagnostics overwrites(const std::vector<fs::path>& targets, const std::vector<f
 
 Result<std::string> encoded(const Drawing& drawing, const fs::path& output, const EncodeOptions& options) {
     if (ending_of(output) == ".png") return to_png(drawing, {options.dpi / 96});
+    if (ending_of(output) == ".pdf") {
+        PdfOptions pdf;
+        pdf.carried = options.carried;
+        pdf.title = options.title;
+        return to_pdf(drawing, pdf);
+    }
     SvgOptions svg;
     svg.lean = options.lean;
     svg.carried = options.carried;

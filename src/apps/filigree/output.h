@@ -11,6 +11,8 @@
 
 namespace filigree {
 
+// Whether the ending is one of a drawing's formats: .svg, .pdf, .png.
+bool is_known_format(const std::filesystem::path& output);
 // Errors for endings that are no known format of a drawing.
 Diagnostics unknown_formats(const std::vector<std::filesystem::path>& outputs);
 // For targets that are given twice.
@@ -22,7 +24,7 @@ Diagnostics overwrites(const std::vector<std::filesystem::path>& targets,
 struct EncodeOptions {
     double dpi = 192;  // of PNG
     bool lean = false;
-    const CarriedDocument* carried = nullptr;  // into an SVG, if given
+    const CarriedDocument* carried = nullptr;  // into an SVG or PDF, if given
     std::string title;
 };
 // The bytes of a drawing in the format that the path's ending names.

@@ -9,6 +9,7 @@
 #include "engines/tangle/scopes.h"
 #include "language/style.h"
 #include "scene/arrange.h"
+#include "scene/by_hand.h"
 
 namespace filigree::tangle {
 namespace {
@@ -68,7 +69,25 @@ void apply(const StyleOverride& over, Style& style) {
 }
 
 // What presets may say of styles.
-constexpr std::string_view style_parameters[] = {"fill", "stroke", "pen", "corner", "when"};
+constexpr std::string_view style_parameters[] = {"fill",   "stroke",        "pen",  "corner",
+                                                 "wobble", "wobble_length", "line", "when"};
+
+HandStyle hand_style_of(const StyleOverride& over) {
+    HandStyle style;
+    if (over.wobble) style.wobble.amplitude = *over.wobble;
+    if (over.wobble_length) style.wobble.wavelength = *over.wobble_length;
+    style.has_drawn_line = over.line == LineQuality::drawn;
+    return style;
+}
+
+// Whether any style says that something is drawn by hand; presets only change what styles say.
+bool may_be_by_hand(const StyleSheet& sheet) {
+    return std::any_of(sheet.rules.begin(), sheet.rules.end(), [](const StyleRule& rule) {
+        return std::any_of(rule.properties.begin(), rule.properties.end(), [](const StyleRuleProperty& property) {
+            return property.kind == StylePropertyKind::wobble || property.kind == StylePropertyKind::line;
+        });
+    });
+}
 
 class Drawer {
 public:
@@ -77,6 +96,7 @@ public:
         : tangle_(tangle),
           grammar_(grammar),
           sheet_(std::move(sheet)),
+          may_be_by_hand_(may_be_by_hand(sheet_)),
           colour_by_(options.colour_by),
           job_(options.job),
           walk_(begin_walk(options.site, document, settings.globals, settings.seed)) {
@@ -119,6 +139,8 @@ public:
         }
         if (is_stopped()) return errors_;  // not all steps have a group then
         for (std::uint32_t s = 0; s < tangle_.steps.size() && !is_stopped(); ++s) draw_overlay(s);
+        if (is_stopped()) return errors_;
+        draw_by_hand(drawing_, hand_shapes_, walk_.document_seed);
         DrawingPlacer placer(drawing_);
         for (std::uint32_t s = 0; s < tangle_.steps.size() && !is_stopped(); ++s) place_embedded(s, placer);
         if (is_stopped()) return errors_;
@@ -136,7 +158,8 @@ private:
 
     std::uint32_t shape_count() const { return static_cast<std::uint32_t>(drawing_.shapes.size()); }
 
-    void add_shape(const Shape& shape, const Style& style) {
+    void add_shape(const Shape& shape, const Style& style, HandRole role, const HandStyle& by_hand) {
+        if (may_be_by_hand_) hand_shapes_.push_back({shape.geometry, shape.polygon, shape_count(), role, by_hand});
         drawing_.shapes.push_back({shape.geometry, shape.polygon, styles_.index_of(style, drawing_.styles), shape.key});
     }
 
@@ -219,13 +242,23 @@ private:
 
     void draw_leaf(std::uint32_t number) {
         const Group& group = tangle_.groups[number];
-        if (group.consumer != none || group.hidden) return;
+        if (group.consumer != none) return;
         for (std::size_t i = 0; i < group.shapes.size() && !is_stopped(); ++i) {
-            Style style = base_style(group, group.shapes[i], number);
-            if (colour_by_ == ColourBy::style) {
-                if (const auto over = override_of(number, i)) apply(*over, style);
+            const Shape& shape = group.shapes[i];
+            Style style = base_style(group, shape, number);
+            HandStyle by_hand;
+            if (colour_by_ == ColourBy::style && !group.hidden) {
+                if (const auto over = override_of(number, i)) {
+                    apply(*over, style);
+                    by_hand = hand_style_of(*over);
+                }
             }
-            if (style.fill || style.stroke) add_shape(group.shapes[i], style);
+            const HandRole role = shape.is_mark ? HandRole::mark : HandRole::face;
+            if ((style.fill || style.stroke) && !group.hidden) {
+                add_shape(shape, style, role, by_hand);
+            } else if (may_be_by_hand_ && !shape.is_mark) {
+                hand_shapes_.push_back({shape.geometry, shape.polygon, HandShape::not_drawn, role, {}});
+            }
         }
     }
 
@@ -242,7 +275,10 @@ private:
                 if (!over || !(over->pen || over->stroke)) continue;
                 apply(*over, style);
                 style.fill.reset();
-                if (style.stroke && style.pen > 0) add_shape(group.shapes[i], style);
+                if (style.stroke && style.pen > 0) {
+                    const HandRole role = group.shapes[i].is_mark ? HandRole::mark : HandRole::border;
+                    add_shape(group.shapes[i], style, role, hand_style_of(*over));
+                }
             }
         }
         drawn.end_overlay = shape_count();
@@ -251,6 +287,7 @@ private:
     const Tangle& tangle_;
     const Grammar& grammar_;
     StyleSheet sheet_;
+    const bool may_be_by_hand_;
     ColourBy colour_by_;
     const Job& job_;
     std::vector<TagStyle> tag_styles_;  // of each tag
@@ -258,6 +295,7 @@ private:
     const PresetWalk walk_;
     StyleTable styles_;
     Drawing drawing_;
+    std::vector<HandShape> hand_shapes_;  // what is drawn, and leaves that are not
     Picture picture_;
     ChoiceRecorder recorder_;
     Diagnostics errors_;

@@ -7,8 +7,13 @@ namespace filigree::tangle {
 
 std::span<const Operator> operators() {
     static const std::vector<Operator> all = {
-        embed_operator(),   fill_operator(),          invert_operator(),  outline_operator(),   place_operator(),
-        regroup_operator(), regular_split_operator(), stipple_operator(), transform_operator(), ungroup_operator(),
+        embed_operator(),     fill_operator(),
+        invert_operator(),    outline_operator(),
+        place_operator(),     radial_operator(),
+        regroup_operator(),   regular_split_operator(),
+        stipple_operator(),   streamline_split_operator(),
+        transform_operator(), ungroup_operator(),
+        voronoi_operator(),
     };
     return all;
 }

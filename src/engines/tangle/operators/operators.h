@@ -14,11 +14,14 @@ Operator fill_operator();
 Operator invert_operator();
 Operator outline_operator();
 Operator place_operator();
+Operator radial_operator();
 Operator regroup_operator();
 Operator regular_split_operator();
 Operator stipple_operator();
+Operator streamline_split_operator();
 Operator transform_operator();
 Operator ungroup_operator();
+Operator voronoi_operator();
 
 // All operators by name.
 std::span<const Operator> operators();
