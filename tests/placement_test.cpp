@@ -70,9 +70,15 @@ void expect_sound(const Grown& grown) {
     EXPECT_EQ(tangle::broken_invariants(grown.tangle), std::vector<std::string>{});
 }
 
-const std::vector<std::string> all_shapes = {
-    "blob", "disc", "circ", "square", "star(5, 20, 8)", "polygon(3, 10)", "rectangle(30, 8)",
-    "path(\"M0 0H10V10H0Z M2 2V8H8V2Z M4 4H6V6H4Z\")", "ellipse(20, 9)"};
+const std::vector<std::string> all_shapes = {"blob",
+                                             "disc",
+                                             "circ",
+                                             "square",
+                                             "star(5, 20, 8)",
+                                             "polygon(3, 10)",
+                                             "rectangle(30, 8)",
+                                             "path(\"M0 0H10V10H0Z M2 2V8H8V2Z M4 4H6V6H4Z\")",
+                                             "ellipse(20, 9)"};
 
 TEST(Placement, PartitionsWhateverIsPlaced) {
     const std::uint64_t count = case_count(60);
@@ -80,15 +86,15 @@ TEST(Placement, PartitionsWhateverIsPlaced) {
         CaseRandom random(seed);
         const std::string shape = all_shapes[random.index(all_shapes.size())];
         const std::string border = std::vector<std::string>{"inside", "touch", "clip"}[random.index(3)];
-        const std::string rotation =
-            std::vector<std::string>{"keep", "axis", "random", "along", "30", "0..180", "towards((0, 0))"}[random.index(7)];
+        const std::string rotation = std::vector<std::string>{"keep", "axis",   "random",         "along",
+                                                              "30",   "0..180", "towards((0, 0))"}[random.index(7)];
         const double size = random.between(6, 40), spacing = size * random.between(0.6, 1.6);
-        const std::string text = "seed " + std::to_string(seed) + "\nstart a = " +
-                                 (random.coin() ? "circle(70)" : "star(7, 90, 40)") + "\nplace(" + shape + ", " +
-                                 std::to_string(size) + ", " + std::to_string(spacing) + ", border: " + border +
-                                 ", rotation: " + rotation + ", variation: " + (random.coin() ? "0" : "0.4") +
-                                 ", relax: " + (random.coin() ? "yes" : "no") +
-                                 ") : a -> placed, rest\nplace(disc, 5, 8) : rest -> small, rest_of_rest\n";
+        const std::string text =
+            "seed " + std::to_string(seed) + "\nstart a = " + (random.coin() ? "circle(70)" : "star(7, 90, 40)") +
+            "\nplace(" + shape + ", " + std::to_string(size) + ", " + std::to_string(spacing) + ", border: " + border +
+            ", rotation: " + rotation + ", variation: " + (random.coin() ? "0" : "0.4") +
+            ", relax: " + (random.coin() ? "yes" : "no") +
+            ") : a -> placed, rest\nplace(disc, 5, 8) : rest -> small, rest_of_rest\n";
         SCOPED_TRACE(text);
         const auto grown = grow(text);
         expect_sound(*grown);
@@ -142,7 +148,8 @@ TEST(Placement, AnObjectHandsDownWhichWayItLies) {
 }
 
 TEST(Placement, AlongTheBorderOfADiscIsAroundIt) {
-    const auto grown = grow("start a = circle(100)\nplace(rectangle(30, 8), 16, 18, rotation: along) : a -> bar, rest\n");
+    const auto grown =
+        grow("start a = circle(100)\nplace(rectangle(30, 8), 16, 18, rotation: along) : a -> bar, rest\n");
     std::size_t across = 0;
     for (const Shape& bar : grown->shapes("bar")) {
         const Vec centre = centroid(grown->tangle.polygon(bar));
@@ -154,7 +161,8 @@ TEST(Placement, AlongTheBorderOfADiscIsAroundIt) {
 }
 
 TEST(Placement, CountersOfLettersRemain) {
-    const auto grown = grow("start a = rectangle(200, 120)\nplace(path(\"M0 0H10V10H0Z M3 3V7H7V3Z\"), 20, 25) : a -> frame, rest\n");
+    const auto grown =
+        grow("start a = rectangle(200, 120)\nplace(path(\"M0 0H10V10H0Z M3 3V7H7V3Z\"), 20, 25) : a -> frame, rest\n");
     EXPECT_EQ(grown->shapes("rest").size(), grown->shapes("frame").size() + 1);
     expect_sound(*grown);
 }
@@ -167,12 +175,12 @@ TEST(Placement, ClippedObjectsReachTheBorder) {
         const Box box = bounds(grown->tangle.polygon(disc));
         cut += to_px(box.max).x > 100 - 1e-9;
     }
-    EXPECT_GT(cut, 0U);
+    EXPECT_GT(cut, 4U);
 }
 
 TEST(Placement, AFormThatEnclosesNothingIsToldOf) {
-    const OpenedDocument opened = open_text(
-        "a.fil", "grammar tangle\nstart a = circle(50)\nplace(path(\"M0 0H10\"), 20, 25) : a -> b, c\n", {});
+    const OpenedDocument opened =
+        open_text("a.fil", "grammar tangle\nstart a = circle(50)\nplace(path(\"M0 0H10\"), 20, 25) : a -> b, c\n", {});
     const CheckedDocument checked = check_document(opened);
     if (has_errors(checked.diagnostics)) return;
     SerialExecutor executor;
@@ -192,23 +200,25 @@ TEST(Placement, TooManyAreRefused) {
     const CheckedDocument checked = check_document(opened);
     ASSERT_FALSE(has_errors(checked.diagnostics));
     SerialExecutor executor;
-    EXPECT_FALSE(tangle::derive(*checked.grammar, *checked.start, *checked.settings, opened.document, {}, executor, {}));
+    EXPECT_FALSE(
+        tangle::derive(*checked.grammar, *checked.start, *checked.settings, opened.document, {}, executor, {}));
 }
 
 TEST(Stippling, MarksKeepApartAndOffTheBorder) {
     const std::uint64_t count = case_count(40);
     for (std::uint64_t seed = 0; seed < count && !::testing::Test::HasFailure(); ++seed) {
         CaseRandom random(seed);
-        const std::string mark = std::vector<std::string>{"dot", "dash", "curve", "circle", "star(5, 20, 8)"}[random.index(5)];
+        const std::string mark =
+            std::vector<std::string>{"dot", "dash", "curve", "circle", "star(5, 20, 8)"}[random.index(5)];
         const std::string density = std::vector<std::string>{"1", "0.3", "gradient(1, 0.1)", "gradient(0, 1, 30)",
                                                              "radial(0.05, 1)"}[random.index(5)];
         const double spacing = random.between(3, 9), size = spacing * random.between(0.2, 1.4);
         const double margin = random.between(0.1, 3);
         const std::string text = "seed " + std::to_string(seed) + "\nstart a = star(7, 50, 25)\nstipple(" +
-                                 std::to_string(spacing) + ", " + std::to_string(size) + ", margin: " +
-                                 std::to_string(margin) + ", mark: " + mark + ", density: " + density + ", rotation: " +
-                                 (random.coin() ? "random" : "along") + ", grow: " + (random.coin() ? "yes" : "no") +
-                                 ") : a -> ground, dots\n";
+                                 std::to_string(spacing) + ", " + std::to_string(size) +
+                                 ", margin: " + std::to_string(margin) + ", mark: " + mark + ", density: " + density +
+                                 ", rotation: " + (random.coin() ? "random" : "along") +
+                                 ", grow: " + (random.coin() ? "yes" : "no") + ") : a -> ground, dots\n";
         SCOPED_TRACE(text);
         const auto grown = grow(text);
         expect_sound(*grown);
@@ -239,8 +249,8 @@ TEST(Stippling, MarksKeepApartAndOffTheBorder) {
 }
 
 TEST(Stippling, IsDenserWhereItIsDarker) {
-    const auto grown =
-        grow("start a = rectangle(300, 100)\nstipple(4, density: gradient(1, 0.1, 0), grow: yes) : a -> ground, dots\n");
+    const auto grown = grow(
+        "start a = rectangle(300, 100)\nstipple(4, density: gradient(1, 0.1, 0), grow: yes) : a -> ground, dots\n");
     std::size_t left = 0, right = 0;
     double left_area = 0, right_area = 0;
     for (const Shape& dot : grown->shapes("dots")) {

@@ -68,16 +68,17 @@ TEST(PublishedGrammars, TheCheckerFindsTheirSlips) {
 
 TEST(PublishedGrammars, TheGraphIsPrintedBesideErrors) {
     const TestFolder folder;
-    const Ran ran = run_program("check " + folder.write("tiger.fil", published().at("Tiger")));
+    const Ran ran =
+        run_program("check " + folder.write("tiger.fil", published().at("Tiger") + "frobnicate() : quads\n"));
     EXPECT_EQ(ran.status, 1);
-    EXPECT_NE(ran.out.find("rules 33, edges 29, longest path 6"), std::string::npos) << ran.out;
-    EXPECT_NE(ran.out.find("there is no operator 'streamlineSplit'"), std::string::npos);
+    EXPECT_NE(ran.out.find("rules 34, edges 30, longest path 6"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("there is no operator 'frobnicate'"), std::string::npos);
 }
 
-TEST(PublishedGrammars, TreeAlbertLeafAndTeaserGrow) {
+TEST(PublishedGrammars, AllGrow) {
     const TestFolder folder;
     const auto grammars = published();
-    for (const char* name : {"Tree", "Albert", "Leaf", "Teaser"}) {
+    for (const char* name : {"Tree", "Albert", "Tiger", "Teaser", "Leaf", "Figure 6", "Figure 7", "Figure 10"}) {
         for (int seed = 0; seed < 5; ++seed) {
             const Ran ran = run_program("render " + folder.write("a.fil", grammars.at(name)) + " --verify --seed " +
                                         std::to_string(seed) + " -o " + folder / "a.svg");

@@ -195,6 +195,7 @@ private:
             "style t1, t2 { stroke: one_of(black, #204080) }",
             "style t1 when depth > 1 { fill: #d0c0a0; pen: 0.5px }",
             "style t2 when (0..1) < 0.4 { fill: none; stroke: #204080 }",
+            "style t1, t3 { wobble: 1.5px; wobble_length: 30px }",
         };
         std::string all;
         for (const char* one : styles) {
@@ -299,7 +300,7 @@ private:
         const double finer = level == 0 ? 1 : level == 1 ? 0.5 : 0.3;
         const auto sized = [&](double low, double high) { return length(low * finer, high * finer); };
         outputs_ = " -> " + next();
-        switch (has_system_ && level < 2 && whole(5) == 0 ? 11 : whole(15)) {
+        switch (has_system_ && level < 2 && whole(5) == 0 ? 11 : whole(22)) {
             case 0:
             case 1: {
                 static constexpr const char* curves[] = {"line", "wave", "zigzag", "one_of(line, wave: 2)"};
@@ -330,9 +331,11 @@ private:
                                sized(6, 20), ", ", sized(8, 40), whole(3) == 0 ? ", variation: 0..0.5" : "", ")"});
             case 6:
                 return "ungroup()";
-            case 7:
-                return joined({"regroup(", whole(3) == 0 ? "2..4" : std::to_string(1 + whole(4)),
-                               whole(2) == 0 ? ", by: id" : "", ")"});
+            case 7: {
+                static constexpr const char* ways[] = {"",           ", by: id",       ", by: colour",
+                                                       ", by: area", ", by: distance", ", by: random"};
+                return joined({"regroup(", whole(3) == 0 ? "2..4" : std::to_string(1 + whole(4)), ways[whole(6)], ")"});
+            }
             case 8:
                 if (whole(2) == 0) return "invert()";
                 outputs_ += ", " + next();
@@ -353,6 +356,49 @@ private:
                 outputs_ = " -> dots: " + next();
                 if (whole(3) != 0) outputs_ += ", band: " + next();
                 return joined({"lace(", whole(2) == 0 ? "width: " + sized(2, 6) : "", ")"});
+            case 14: {
+                static constexpr const char* curves[] = {"circ", "spiral", "rays",
+                                                         "path(\"M 0 0 C 10 -20 30 20 40 0\")",
+                                                         "path(\"M 0 0 C 40 0 30 30 10 20 C -10 10 0 -20 30 -10\")"};
+                return joined({"regular_split(", curves[whole(5)], ", ", sized(8, 30),
+                               whole(3) == 0 ? ", dual: true" : "", whole(3) == 0 ? ", centre: (10px, -5px)" : "",
+                               angle(), ")"});
+            }
+            case 15: {
+                static constexpr const char* kinds[] = {"smooth", "strip", "circular"};
+                return joined({"streamline_split(", kinds[whole(3)], ", ", sized(8, 30),
+                               whole(4) == 0 ? ", dual: true" : "", whole(4) == 0 ? ", mode: field" : "", ")"});
+            }
+            case 16:
+                return joined({"radial(", std::to_string(1 + whole(12)), whole(2) == 0 ? ", rings: 2" : "",
+                               whole(2) == 0 ? ", twist: " + number(-90, 90) : "",
+                               whole(2) == 0 ? ", hub: " + sized(2, 12) : "", ")"});
+            case 17: {
+                static constexpr const char* sites[] = {"", ", sites: random", ", sites: lattice", ", relax: 1..4"};
+                return joined({"voronoi(", sized(10, 30), sites[whole(4)], ")"});
+            }
+            case 18:
+                outputs_ += ", " + (whole(3) == 0 ? "_" : next());
+                return joined({"transform(", whole(2) == 0 ? "turn: each(0..90), " : "",
+                               whole(3) == 0 ? "move: (3px, -2px), " : "", "scale: 0.", std::to_string(4 + whole(6)),
+                               ")"});
+            case 19: {
+                static constexpr const char* motifs[] = {"star(5, 10, 4)", "path(\"M 0 0 C 8 -9 8 9 0 0 Z\")",
+                                                         "rectangle(30, 10)", "one_of(polygon(3, 5), square)"};
+                static constexpr const char* borders[] = {"", ", border: touch", ", border: clip", ", relax: no"};
+                static constexpr const char* turns[] = {"", ", rotation: random", ", rotation: along",
+                                                        ", rotation: 30"};
+                outputs_ += ", " + next();
+                return joined({"place(", motifs[whole(4)], ", ", sized(6, 20), ", ", sized(10, 40), borders[whole(4)],
+                               turns[whole(4)], ")"});
+            }
+            case 20: {
+                static constexpr const char* marks[] = {"dot", "dash", "curve", "circle", "star(4, 3, 1)"};
+                static constexpr const char* densities[] = {"", ", density: 0.4", ", density: gradient(1, 0.1)",
+                                                            ", density: radial(0.1, 1), grow: yes"};
+                outputs_ += ", <>";
+                return joined({"stipple(", sized(5, 14), ", mark: ", marks[whole(5)], densities[whole(4)], ")"});
+            }
             default:
                 break;
         }

@@ -10,6 +10,8 @@ namespace {
 
 class FileFinder {
 public:
+    explicit FileFinder(const Document& document) : document_(document) {}
+
     std::vector<Name> files;
 
     void look_into(const std::vector<Statement>& statements) {
@@ -30,6 +32,8 @@ public:
     void operator()(const Other&) {}  // a system is a document of its own
 
 private:
+    const Document& document_;
+
     void add(const std::string& name, SourceSpan span) {
         const bool known = std::any_of(files.begin(), files.end(), [&](const Name& file) { return file.text == name; });
         if (!known) files.push_back({name, span});
@@ -50,6 +54,17 @@ private:
         }
     }
 
+    // What a `let` or `param` says; null where there is none.
+    const Expression* definition_of(const std::string& name) const {
+        for (const Statement& statement : document_.statements) {
+            const auto* let = std::get_if<LetStatement>(&statement.node);
+            const auto* param = std::get_if<ParamStatement>(&statement.node);
+            if (let != nullptr && let->name.text == name) return let->value.get();
+            if (param != nullptr && param->name.text == name) return param->value.get();
+        }
+        return nullptr;
+    }
+
     // The argument that names a file, by its name or its place.
     void add_file_of(const CallExpression& call) {
         const bool is_text = call.name == "text";
@@ -59,7 +74,10 @@ private:
         for (const CallArgument& argument : call.arguments) {
             const auto* key = argument.key ? std::get_if<NameReference>(&argument.key->node) : nullptr;
             if (argument.key ? key == nullptr || key->name != wanted : place-- != 0) continue;
-            const auto* text = argument.value ? std::get_if<TextLiteral>(&argument.value->node) : nullptr;
+            const Expression* value = argument.value.get();
+            const auto* name = value != nullptr ? std::get_if<NameReference>(&value->node) : nullptr;
+            if (name != nullptr) value = definition_of(name->name);
+            const auto* text = value != nullptr ? std::get_if<TextLiteral>(&value->node) : nullptr;
             if (text != nullptr) add(text->text, argument.value->span);
             return;
         }
@@ -69,7 +87,7 @@ private:
 }  // namespace
 
 std::vector<Name> named_files(const Document& document) {
-    FileFinder finder;
+    FileFinder finder(document);
     finder.look_into(document.statements);
     return std::move(finder.files);
 }

@@ -119,13 +119,13 @@ Carving carve(PolygonView region, const EdgeTree& border, const Polygons& object
     Carving carving;
     Polygons rest;
     rest.add(region);
-    std::vector<std::uint8_t> crosses(objects.size(), 0);
     Polygons crossing, inside;
     std::vector<std::uint32_t> of_crossing, of_inside;
     for (std::size_t i = 0; i < objects.size(); ++i) {
-        crosses[i] = may_cross && meets_border(objects[i], border);
-        (crosses[i] ? crossing : inside).add(objects[i]);
-        (crosses[i] ? of_crossing : of_inside).push_back(owners[i]);
+        const bool crosses = may_cross && meets_border(objects[i], border);
+        if (may_cross && !crosses && !border.is_inside(to_px(objects[i].outer()[0]))) continue;
+        (crosses ? crossing : inside).add(objects[i]);
+        (crosses ? of_crossing : of_inside).push_back(owners[i]);
     }
     std::vector<std::pair<std::uint32_t, std::uint32_t>> cut_out;  // the object, the piece
     Polygons pieces;
@@ -134,8 +134,7 @@ Carving carve(PolygonView region, const EdgeTree& border, const Polygons& object
         rest = subtract(rest, crossing);
         Owners finder(crossing, of_crossing);
         for (std::uint32_t i = 0; i < pieces.size(); ++i) cut_out.emplace_back(finder.of(pieces[i]), i);
-        std::stable_sort(cut_out.begin(), cut_out.end(),
-                         [](const auto& a, const auto& b) { return a.first < b.first; });
+        std::sort(cut_out.begin(), cut_out.end());
     }
     auto next = cut_out.begin();
     const auto add_cut_out = [&](std::uint32_t before) {

@@ -129,6 +129,18 @@ TEST(Carve, ObjectsAreCutByTheBorder) {
     expect_partition(scene, true);
 }
 
+TEST(Carve, ObjectsOutsideAreLeftOutWhereTheyMayCross) {
+    const Polygons region =
+        test_shapes::one_polygon({{snap({0, 0}), snap({50, 0}), snap({50, 50}), snap({0, 50})},
+                                  {snap({20, 20}), snap({30, 20}), snap({30, 30}), snap({20, 30})}});
+    Polygons objects;
+    for (const Vec at : {Vec{25, 25}, Vec{80, 25}, Vec{10, 10}}) append(objects, square_motif(), {at, {1, 0}, 4});
+    const EdgeTree border(edges_of(region[0], Point{0, 0}));
+    const Carving carving = carve(region[0], border, objects, {0, 1, 2}, true);
+    EXPECT_EQ(carving.owners, std::vector<std::uint32_t>{2});
+    EXPECT_NEAR(area(carving.placed) + area(carving.remainder), 2400, 1e-6);
+}
+
 TEST(Carve, WithoutObjectsAllRemains) {
     const Polygons region = test_shapes::one_polygon({{snap({0, 0}), snap({9, 0}), snap({0, 9})}});
     const EdgeTree border(edges_of(region[0], Point{0, 0}));

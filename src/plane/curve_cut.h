@@ -1,8 +1,8 @@
 // The exact cut of a polygon with holes by polylines: the general way, for curves that are no family of levels.
 //
 // Curves may cross each other, themselves and the border, be open or closed, run along the border, lie wholly
-// inside or miss the polygon. What of them bounds a piece on both sides cuts; loose ends cut nothing. Paper:
-// gTangle, section 4.2 (split by arbitrary curves).
+// inside or miss the polygon. What of them bounds a piece on both sides cuts; loose ends cut nothing; an end within
+// half a grid unit of a line touches it. Paper: gTangle, section 4.2 (split by arbitrary curves).
 //
 // Guarantees: the pieces partition the shape (both sides of a cut share all of its vertices, so the areas add up
 // to the shape's to 1e-9) and are clean (polygon.h). Crossings on the shape's own edges depend on the edge and

@@ -202,28 +202,16 @@ private:
 
     void find_new_cuts() {
         const EdgeTree added = tree_from(planted_);
-        std::array<Edge, 4> few;
-        std::array<std::uint32_t, 4> numbers{};
-        std::size_t size = 0;
-        const auto meet = [&](std::uint32_t i, std::uint32_t j) {
-            if (i != j && (i < j || !edges_[j].is_new)) test(std::min(i, j), std::max(i, j));
-            return cuts_.size() > most_cuts;
-        };
-        const auto ask = [&] {
-            tree_.any_near({few.data(), size}, sight, 0,
-                           [&](std::size_t k, std::uint32_t j) { return meet(numbers[k], j); });
-            added.any_near({few.data(), size}, sight, 0, [&](std::size_t k, std::uint32_t j) {
-                return meet(numbers[k], j + static_cast<std::uint32_t>(planted_));
-            });
-            size = 0;
-        };
         for (std::uint32_t i = 0; i < edges_.size(); ++i) {
             if (!edges_[i].is_new) continue;
-            few[size] = place(i);
-            numbers[size++] = i;
-            if (size == 4) ask();
+            const auto meet = [&](std::uint32_t j) {
+                if (i != j && (i < j || !edges_[j].is_new)) test(std::min(i, j), std::max(i, j));
+                return cuts_.size() > most_cuts;
+            };
+            const VecBox box = around(place(i), sight);
+            tree_.any(box, meet);
+            added.any(box, [&](std::uint32_t j) { return meet(j + static_cast<std::uint32_t>(planted_)); });
         }
-        if (size > 0) ask();
     }
 
     void cut(std::uint32_t edge, Point at) {

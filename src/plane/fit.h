@@ -2,9 +2,9 @@
 // where they overlap").
 //
 // Guarantee: fitted objects keep `gap` from each other and, where the border counts, `border_gap` from the region's
-// border, all of them inside; checked on their outlines exactly but for roundings far below the gap. Every object shrinks about its own
-// place and only for what is near it. Cost: under a microsecond for round motifs; for others a look at the edges of
-// those neighbours whose circles overlap.
+// border, all of them inside; checked on their outlines exactly but for roundings far below the gap. Every object
+// shrinks about its own place and only for what is near it. Cost: under a microsecond for round motifs; for others a
+// look at the edges of those neighbours whose circles overlap.
 #pragma once
 
 #include <cstdint>

@@ -120,7 +120,10 @@ TEST(Fit, DiscsThatHaveRoomKeepTheirSizeAndOthersTakeAllThereIs) {
     const Polygons region =
         test_shapes::one_polygon({{snap({0, 0}), snap({100, 0}), snap({100, 100}), snap({0, 100})}});
     const EdgeTree border(edges_of(region[0], Point{0, 0}));
-    std::vector<Pose> poses{{{20, 50}, {1, 0}, 10}, {{50, 50}, {1, 0}, 10}, {{62, 50}, {1, 0}, 10}, {{93, 50}, {1, 0}, 10},
+    std::vector<Pose> poses{{{20, 50}, {1, 0}, 10},
+                            {{50, 50}, {1, 0}, 10},
+                            {{62, 50}, {1, 0}, 10},
+                            {{93, 50}, {1, 0}, 10},
                             {{50, 96}, {1, 0}, 10}};
     FitOptions options;
     options.gap = options.border_gap = 0.5;

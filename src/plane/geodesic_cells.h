@@ -18,8 +18,8 @@
 namespace filigree {
 
 struct RelaxOptions {
-    unsigned rounds = 8;   // at most; it ends where no site moves any more
-    double least_move = 0; // px: shorter moves are not made
+    unsigned rounds = 8;    // at most; it ends where no site moves any more
+    double least_move = 0;  // px: shorter moves are not made
 };
 
 class GeodesicCells {
@@ -51,7 +51,7 @@ private:
     std::span<const std::uint16_t> weights_;
     std::array<std::uint32_t, 8> around_;  // neighbours' indices less one's own, modulo 2^32
     std::vector<std::uint32_t> owners_;
-    std::vector<std::uint16_t> distances_;  // 0 outside, so that nothing ever spreads there
+    std::vector<std::uint16_t> distances_;                // 0 outside, so that nothing ever spreads there
     std::array<std::vector<std::uint32_t>, 32> waiting_;  // cells by their distance modulo 32
     std::vector<Sum> sums_;
     std::vector<std::uint32_t> steps_;  // of farthest_from, one a cell, 0 while it has not come there

@@ -55,8 +55,9 @@ TEST(GeodesicCells, EveryCellGoesToTheSiteThatIsNearestInside) {
     for (std::uint64_t seed = 0; seed < count; ++seed) {
         SCOPED_TRACE(seed);
         CaseRandom random(seed);
-        const Polygons region = random.coin() ? test_shapes::wobbly_shape(random, 40, random.whole(8, 80), 6)
-                                              : test_shapes::one_polygon({test_shapes::wild_ring(random, {0, 0}, 40, 14)});
+        const Polygons region = random.coin()
+                                    ? test_shapes::wobbly_shape(random, 40, random.whole(8, 80), 6)
+                                    : test_shapes::one_polygon({test_shapes::wild_ring(random, {0, 0}, 40, 14)});
         const auto raster = RegionRaster::of(region[0], 2, 1U << 20);
         ASSERT_TRUE(raster);
         const std::vector<Vec> sites = random_sites(random, *raster, 6);
@@ -116,8 +117,9 @@ TEST(GeodesicCells, SitesStayInsideBentRegions) {
     for (std::uint64_t seed = 0; seed < count; ++seed) {
         SCOPED_TRACE(seed);
         CaseRandom random(seed);
-        const Polygons region = random.coin() ? test_shapes::wobbly_shape(random, 40, random.whole(8, 80), 6)
-                                              : test_shapes::one_polygon({test_shapes::wild_ring(random, {0, 0}, 40, 14)});
+        const Polygons region = random.coin()
+                                    ? test_shapes::wobbly_shape(random, 40, random.whole(8, 80), 6)
+                                    : test_shapes::one_polygon({test_shapes::wild_ring(random, {0, 0}, 40, 14)});
         const auto raster = RegionRaster::of(region[0], random.between(1, 3), 1U << 20);
         std::vector<Vec> sites = random_sites(random, *raster, random.index(8) + 1);
         GeodesicCells(*raster).relax(sites, {8, 0.1});

@@ -15,7 +15,7 @@ namespace {
 
 using Diagram = boost::polygon::voronoi_diagram<double>;
 
-constexpr double far = 4;            // region sizes: where sites stand that no place of the region belongs to
+constexpr double far = 4;             // region sizes: where sites stand that no place of the region belongs to
 constexpr double far_units = 0x1p29;  // the same on the whole numbers that the diagram is made on
 
 // The part of a segment inside a box; what is cut off lies far outside the region.
@@ -128,7 +128,8 @@ Mosaic mosaic(PolygonView region, std::span<const Vec> sites) {
     const Nearest nearest(sites, size / std::sqrt(static_cast<double>(sites.size())));
     result.sites.reserve(result.pieces.size());
     // A cell is convex, so the centroid of any piece of it lies in it.
-    for (std::size_t i = 0; i < result.pieces.size(); ++i) result.sites.push_back(nearest.to(centroid(result.pieces[i])));
+    for (std::size_t i = 0; i < result.pieces.size(); ++i)
+        result.sites.push_back(nearest.to(centroid(result.pieces[i])));
     return result;
 }
 

@@ -43,11 +43,13 @@ TEST(Mosaic, EveryPlaceGoesToTheNearestSite) {
     for (std::uint64_t seed = 0; seed < count && !::testing::Test::HasFailure(); ++seed) {
         SCOPED_TRACE(seed);
         CaseRandom random(seed);
-        const Polygons region = random.coin() ? test_shapes::wobbly_shape(random, 100, random.whole(8, 60), 6)
-                                              : test_shapes::one_polygon({test_shapes::wild_ring(random, {3, 4}, 100, 12)});
+        const Polygons region = random.coin()
+                                    ? test_shapes::wobbly_shape(random, 100, random.whole(8, 60), 6)
+                                    : test_shapes::one_polygon({test_shapes::wild_ring(random, {3, 4}, 100, 12)});
         std::vector<Vec> sites;
         const std::uint32_t number = random.below(60) + 1;
-        for (std::uint32_t i = 0; i < number; ++i) sites.push_back({random.between(-120, 120), random.between(-120, 120)});
+        for (std::uint32_t i = 0; i < number; ++i)
+            sites.push_back({random.between(-120, 120), random.between(-120, 120)});
         expect_cells(region, sites, random);
     }
 }

@@ -23,7 +23,7 @@ void end_ring(Motif& motif) { motif.ring_ends.push_back(static_cast<std::uint32_
 void end_polygon(Motif& motif) { motif.polygon_ends.push_back(static_cast<std::uint32_t>(motif.ring_ends.size())); }
 
 void add_circle(Motif& motif, double radius, int corners) {
-    for (int i = 0; i < corners; ++i) motif.points.push_back(radius * unit_at(360.0 * i / corners));
+    for (const Vec p : unit_circle(corners)) motif.points.push_back(radius * p);
 }
 
 // Scales all so that the farthest point lies on the circle of radius 1.
@@ -193,21 +193,29 @@ Motif disc_motif(int corners) {
     return motif;
 }
 
-Motif blob_motif(int corners, std::uint64_t bits) {
+std::vector<Vec> unit_circle(int corners) {
+    std::vector<Vec> circle;
+    circle.reserve(static_cast<std::size_t>(corners));
+    for (int i = 0; i < corners; ++i) circle.push_back(unit_at(360.0 * i / corners));
+    return circle;
+}
+
+Motif blob_motif(const std::vector<Vec>& circle, std::uint64_t bits) {
     // Waves of two to four turns, the finer the flatter, each of its own strength.
-    double strength[3], phase[3];
-    const double most[3] = {0.085, 0.045, 0.014};
-    for (std::uint64_t k = 0; k < 3; ++k) {
-        strength[k] = most[k] * (0.45 + 0.55 * to_unit(mix(bits ^ (2 * k + 1))));
-        phase[k] = 360 * to_unit(mix(bits ^ (2 * k + 2)));
+    constexpr std::size_t waves = 3;
+    Vec wave[waves];
+    const double most[waves] = {0.085, 0.045, 0.014};
+    for (std::size_t k = 0; k < waves; ++k) {
+        const double strength = most[k] * (0.45 + 0.55 * to_unit(mix(bits ^ (2 * k + 1))));
+        wave[k] = strength * unit_at(360 * to_unit(mix(bits ^ (2 * k + 2))));
     }
     Motif motif;
     motif.is_round = true;
-    for (int i = 0; i < corners; ++i) {
-        const double angle = 360.0 * i / corners;
+    motif.points.reserve(circle.size());
+    for (std::size_t i = 0; i < circle.size(); ++i) {
         double reach = 1;
-        for (int k = 0; k < 3; ++k) reach += strength[k] * elementary::cos_sin_degrees((k + 2) * angle + phase[k]).cos;
-        motif.points.push_back(reach * unit_at(angle));
+        for (std::size_t k = 0; k < waves; ++k) reach += dot(wave[k], circle[(k + 2) * i % circle.size()]);
+        motif.points.push_back(reach * circle[i]);
     }
     double doubled = 0;
     Vec moment;

@@ -12,8 +12,8 @@
 namespace filigree {
 
 struct Motif {
-    std::vector<Vec> points;              // of all rings; none farther than 1 from the origin
-    std::vector<std::uint32_t> ring_ends;     // as in Polygons: outers positive, then the holes of each
+    std::vector<Vec> points;               // of all rings; none farther than 1 from the origin
+    std::vector<std::uint32_t> ring_ends;  // as in Polygons: outers positive, then the holes of each
     std::vector<std::uint32_t> polygon_ends;
     bool is_round = false;  // fitted by the circle around it, which it fills about
     bool is_frail = false;  // parts of it come so near to each other that rounding to the grid might join them
@@ -21,16 +21,18 @@ struct Motif {
 
 // Where a motif lies. Its x axis goes to `direction`.
 struct Pose {
-    Vec at;                // px
-    Vec direction{1, 0};   // unit
-    double radius = 0;     // px
+    Vec at;               // px
+    Vec direction{1, 0};  // unit
+    double radius = 0;    // px
 };
 
 // How many corners a circle of that radius needs to stay within `tolerance` px: 12 to 256, a multiple of 4.
 int circle_corners(double radius, double tolerance);
+std::vector<Vec> unit_circle(int corners);
 Motif disc_motif(int corners);
-// A pebble: a disc that wavers gently, its centroid in the origin. Another `bits`, another pebble.
-Motif blob_motif(int corners, std::uint64_t bits);
+// A pebble: a disc that wavers gently, its centroid in the origin. Another `bits`, another pebble. The circle is one
+// of unit_circle.
+Motif blob_motif(const std::vector<Vec>& circle, std::uint64_t bits);
 Motif square_motif();
 // A stroke with round ends along x, from end to end 2; `width` is a part of that length.
 Motif dash_motif(double width, int corners);

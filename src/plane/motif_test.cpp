@@ -18,9 +18,19 @@ Vec unit_at(double degrees) {
 }
 
 std::vector<Motif> all_motifs(std::uint64_t bits) {
-    return {disc_motif(12),         disc_motif(200),          blob_motif(24, bits),      blob_motif(64, mix(bits)), square_motif(),
-            dash_motif(0.2, 8),     dash_motif(5, 8),         curve_motif(0.15, 8),      curve_motif(0.01, 12),     curve_motif(9, 8),
-            ring_motif(0.1, 24),    ring_motif(7, 24),        ring_motif(0, 24)};
+    return {disc_motif(12),
+            disc_motif(200),
+            blob_motif(unit_circle(24), bits),
+            blob_motif(unit_circle(64), mix(bits)),
+            square_motif(),
+            dash_motif(0.2, 8),
+            dash_motif(5, 8),
+            curve_motif(0.15, 8),
+            curve_motif(0.01, 12),
+            curve_motif(9, 8),
+            ring_motif(0.1, 24),
+            ring_motif(7, 24),
+            ring_motif(0, 24)};
 }
 
 double largest_radius(const Motif& motif) {
@@ -48,7 +58,7 @@ TEST(Motif, AllAreCleanAtEverySizeAndInEveryDirection) {
 
 TEST(Motif, BlobsAreRoundAndHaveTheirCentroidInTheMiddle) {
     for (std::uint64_t bits = 0; bits < 200; ++bits) {
-        const Motif blob = blob_motif(48, mix(bits));
+        const Motif blob = blob_motif(unit_circle(48), mix(bits));
         double least = 1;
         for (const Vec p : blob.points) least = std::min(least, length(p));
         EXPECT_GT(least, 0.68);
@@ -57,7 +67,7 @@ TEST(Motif, BlobsAreRoundAndHaveTheirCentroidInTheMiddle) {
         EXPECT_NEAR(centroid(polygons[0]).x, 5, 1e-6);
         EXPECT_NEAR(centroid(polygons[0]).y, 6, 1e-6);
     }
-    EXPECT_NE(blob_motif(48, 1).points, blob_motif(48, 2).points);
+    EXPECT_NE(blob_motif(unit_circle(48), 1).points, blob_motif(unit_circle(48), 2).points);
 }
 
 TEST(Motif, CirclesHaveAsManyCornersAsTheToleranceNeeds) {
@@ -88,12 +98,13 @@ TEST(Motif, DrawnShapesFillTheirSmallestCircle) {
         EXPECT_GT(largest_radius(motif), 0.999);
         // No smaller circle holds it: some points lie on it in every half plane.
         for (double angle = 0; angle < 360; angle += 15) {
-            EXPECT_TRUE(std::any_of(motif.points.begin(), motif.points.end(), [&](Vec p) {
-                return length(p) > 0.99 && dot(p, unit_at(angle)) > -0.05;
-            })) << "seed " << seed;
+            EXPECT_TRUE(std::any_of(motif.points.begin(), motif.points.end(),
+                                    [&](Vec p) { return length(p) > 0.99 && dot(p, unit_at(angle)) > -0.05; }))
+                << "seed " << seed;
         }
         Polygons polygons;
-        append(polygons, motif, {{random.between(-99, 99), 3}, unit_at(random.between(0, 360)), random.between(0.05, 300)});
+        append(polygons, motif,
+               {{random.between(-99, 99), 3}, unit_at(random.between(0, 360)), random.between(0.05, 300)});
         for (std::size_t i = 0; i < polygons.size(); ++i) EXPECT_EQ(find_flaw(polygons[i]), std::nullopt) << seed;
         EXPECT_EQ(find_overlap(polygons), std::nullopt) << seed;
     }
@@ -101,7 +112,8 @@ TEST(Motif, DrawnShapesFillTheirSmallestCircle) {
 
 TEST(Motif, AStarLiesInItsOwnMiddleAndHolesStay) {
     Polyline star{{}, true};
-    for (int i = 0; i < 10; ++i) star.points.push_back(Vec{70, 30} + (i % 2 == 0 ? 20.0 : 8.0) * unit_at(36.0 * i - 90));
+    for (int i = 0; i < 10; ++i)
+        star.points.push_back(Vec{70, 30} + (i % 2 == 0 ? 20.0 : 8.0) * unit_at(36.0 * i - 90));
     const Motif motif = drawn_motif({star}, FillRule::nonzero, 1e-4);
     ASSERT_EQ(motif.points.size(), 10U);
     EXPECT_FALSE(motif.is_frail);

@@ -22,8 +22,10 @@ namespace {
 constexpr double dart_spacing = 0.9;
 constexpr double cells_to_spacing = 4.7;
 constexpr double evenness = 1.25;  // of the spacing: nearer ones are pushed apart gently once they are relaxed
-constexpr double coarsest = 3;  // cells to the spacing: with fewer there is nothing to relax
+constexpr double coarsest = 3;     // cells to the spacing: with fewer there is nothing to relax
 constexpr std::uint64_t most_cells = std::uint64_t{1} << 25;
+constexpr std::size_t few = 16;  // points: so few are relaxed again if some had to be left out
+constexpr int most_attempts = 6;
 constexpr double least_density = 1.0 / 256;  // there are no points where it is less
 
 // Narrow and small regions take a finer raster, by powers of two, so that a small edit seldom changes it.
@@ -75,8 +77,8 @@ public:
             for (std::uint32_t cell = run.begin; cell < run.end; ++cell) {
                 if (raster_.border_distance(cell) < options_.least_clearance) continue;
                 if (!densities_.empty() && densities_[cell] < least_density) continue;
-                const std::uint64_t address = (first & ~std::uint64_t{UINT32_MAX}) |
-                                              static_cast<std::uint32_t>(first + (cell - run.begin));
+                const std::uint64_t address =
+                    (first & ~std::uint64_t{UINT32_MAX}) | static_cast<std::uint32_t>(first + (cell - run.begin));
                 const auto own = static_cast<std::uint8_t>(mix(base ^ address) >> (64 - class_bits));
                 open.push_back(cell);
                 classes.push_back(own);
@@ -147,6 +149,20 @@ std::vector<SpreadPoint> only_scattered(PolygonView region, const SpreadOptions&
     return points;
 }
 
+// Leaves the others out; whether there were any.
+bool keep_only(Darts& darts, const std::vector<std::uint8_t>& stays) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < stays.size(); ++i) {
+        if (!stays[i]) continue;
+        darts.at[kept] = darts.at[i];
+        darts.cells[kept] = darts.cells[i];
+        ++kept;
+    }
+    darts.at.resize(kept);
+    darts.cells.resize(kept);
+    return kept < stays.size();
+}
+
 // One point alone goes to the middle.
 Vec middle(PolygonView region, const EdgeTree& border, double clearance) {
     const Vec centre = centroid(region);
@@ -185,19 +201,23 @@ std::vector<SpreadPoint> spread(PolygonView region, const SpreadOptions& options
     }
     Darts darts = Thrower(*raster, own, std::clamp(options.spacing, 0x1p-20, 0x1p40), densities).run();
     const EdgeTree border(edges_of(region, Point{0, 0}));
-    if (darts.at.size() == 1 && !own.density) {
-        darts.at[0] = middle(region, border, own.clearance);
-    } else {
-        GeodesicCells(*raster, weights).relax(darts.at, {own.rounds, 0.02 * own.spacing});
+    const SettleOptions settled{own.apart, own.clearance, own.density ? 0 : own.spacing * evenness};
+    GeodesicCells cells(*raster, weights);
+    for (int attempt = 0;; ++attempt) {
+        if (darts.at.size() == 1 && !own.density) {
+            darts.at[0] = middle(region, border, own.clearance);
+            break;
+        }
+        cells.relax(darts.at, {own.rounds, 0.02 * own.spacing});
+        const std::vector<std::uint8_t> stays = settle(darts.at, *raster, border, settled);
+        // Where few are left, they share the room of those that had to go.
+        const bool is_small = darts.at.size() <= few;
+        if (!keep_only(darts, stays) || !is_small || attempt == most_attempts) break;
     }
-    const double even = own.density ? 0 : own.spacing * evenness;
-    const std::vector<std::uint8_t> stays = settle(darts.at, *raster, border, {own.apart, own.clearance, even});
 
     std::vector<SpreadPoint> points;
     points.reserve(darts.at.size());
-    for (std::size_t i = 0; i < darts.at.size(); ++i) {
-        if (stays[i]) points.push_back({darts.at[i], darts.cells[i]});
-    }
+    for (std::size_t i = 0; i < darts.at.size(); ++i) points.push_back({darts.at[i], darts.cells[i]});
     std::sort(points.begin(), points.end(), [](const SpreadPoint& a, const SpreadPoint& b) { return a.cell < b.cell; });
     return points;
 }

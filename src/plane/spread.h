@@ -17,12 +17,12 @@
 namespace filigree {
 
 struct SpreadOptions {
-    double spacing = 1;      // px, > 0: usual distance of neighbours; where there is a density, at density 1
-    double apart = 0;        // px: least distance of any two points, no more than the spacing
-    double clearance = 0;    // px: points keep so far from the border where they can,
-    double least_clearance = 0;  // px: and about so far everywhere
-    unsigned rounds = 3;     // of relaxation, at most; 0: none
-    std::uint64_t seed = 0;  // the one recorded choice, `scatter`
+    double spacing = 1;               // px, > 0: usual distance of neighbours; where there is a density, at density 1
+    double apart = 0;                 // px: least distance of any two points, no more than the spacing
+    double clearance = 0;             // px: points keep so far from the border where they can,
+    double least_clearance = 0;       // px: and about so far everywhere
+    unsigned rounds = 3;              // of relaxation, at most; 0: none
+    std::uint64_t seed = 0;           // the one recorded choice, `scatter`
     std::uint64_t limit = 1'000'000;  // at most so many points; more is for the caller to report
     // How dense at a place, 0 to 1: the distance of neighbours is the spacing over the root of it. None: 1.
     std::function<double(Vec)> density = {};

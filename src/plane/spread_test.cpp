@@ -177,8 +177,8 @@ TEST(Spread, ADensityDrawsPoints) {
     options.rounds = 4;
     const Polygons region = rectangle({0, 0}, {400, 200});
     const auto count_in = [&](const std::vector<SpreadPoint>& points, double low, double high) {
-        return static_cast<double>(
-            std::count_if(points.begin(), points.end(), [&](const SpreadPoint& p) { return p.at.x >= low && p.at.x < high; }));
+        return static_cast<double>(std::count_if(points.begin(), points.end(),
+                                                 [&](const SpreadPoint& p) { return p.at.x >= low && p.at.x < high; }));
     };
     const double full = static_cast<double>(spread(region[0], options).size());
     options.density = [](Vec p) { return p.x < 200 ? 0.25 : 1.0; };
@@ -209,11 +209,13 @@ TEST(Spread, OddOptionsAreHarmless) {
     options = options_for(3);
     options.clearance = options.least_clearance = std::numeric_limits<double>::infinity();
     EXPECT_TRUE(spread(region[0], options).empty());
-    EXPECT_FALSE(spread(rectangle({0, 0}, {1000, 0.01})[0], [] {
-                     SpreadOptions thin = options_for(10);
-                     thin.clearance = thin.least_clearance = 0;
-                     return thin;
-                 }()).empty());
+    EXPECT_FALSE(spread(rectangle({0, 0}, {1000, 0.01})[0],
+                        [] {
+                            SpreadOptions thin = options_for(10);
+                            thin.clearance = thin.least_clearance = 0;
+                            return thin;
+                        }())
+                     .empty());
 }
 
 TEST(Spread, RegionsOfThousandsOfHoles) {

@@ -50,6 +50,8 @@ std::int32_t strip_of(PolygonView piece, Point origin, const StreamlineLevels& l
 struct Contact {
     std::uint32_t from = 0, to = 0;
     double shared = 0;  // px
+
+    auto operator<=>(const Contact&) const = default;
 };
 // All that share at least so much, by their first piece, then their second.
 std::vector<Contact> contacts_of(const Polygons& pieces, double least) {
@@ -78,9 +80,7 @@ std::vector<Contact> contacts_of(const Polygons& pieces, double least) {
         contacts.push_back({a.piece, b.piece, shared});
         contacts.push_back({b.piece, a.piece, shared});
     }
-    std::stable_sort(contacts.begin(), contacts.end(), [](const Contact& a, const Contact& b) {
-        return a.from != b.from ? a.from < b.from : a.to < b.to;
-    });
+    std::sort(contacts.begin(), contacts.end());
     std::size_t kept = 0;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         if (kept > 0 && contacts[kept - 1].from == contacts[i].from && contacts[kept - 1].to == contacts[i].to) {
@@ -135,8 +135,9 @@ std::uint64_t place_key(PolygonView piece, double offset) {
 void tell_apart(std::vector<StreamlineCut::Place>& places) {
     std::vector<std::uint32_t> order(places.size());
     std::iota(order.begin(), order.end(), 0U);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return places[a].key < places[b].key; });
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return places[a].key != places[b].key ? places[a].key < places[b].key : a < b;
+    });
     std::uint64_t last = 0, piece = 0;
     for (std::size_t i = 0; i < order.size(); ++i) {
         StreamlineCut::Place& place = places[order[i]];
@@ -208,7 +209,11 @@ StreamlineCut cut_by_streamlines(PolygonView shape, const StreamlineCutOptions& 
             even.separation = offset;
             even.tolerance = 0.25 * options.tolerance;
             even.follows_border = options.kind == StreamlineKind::smooth;
-            lines = streamlines(direction, distances, {}, even);
+            std::vector<Vec> seeds;
+            for (std::size_t i = 0; i < samples.points.size() && even.follows_border; ++i) {
+                seeds.push_back(samples.points[i] + offset * perpendicular(samples.tangents[i]));
+            }
+            lines = streamlines(direction, distances, seeds, even);
             across = [direction](Vec p) { return perpendicular(direction(p)); };
         }
     }

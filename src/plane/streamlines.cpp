@@ -17,6 +17,7 @@ constexpr double shortest_ring = 2.5;   // all round
 constexpr double shortest_tie = 3;      // a line that merges at both ends
 constexpr double nearest_border = 0.2;  // where lines follow the border
 constexpr double apart_from_failure = 0.6;
+constexpr double whole_turn = 5.5;  // in sums of sines, from step to step
 // Slopes, where lines climb.
 constexpr double flat = 0.5, steep = 0.75;
 constexpr double lead = 1.1;  // how far along its neighbour a line bends into it
@@ -144,7 +145,7 @@ private:
     Half trace(Vec seed, Vec heading, double sign, std::uint32_t line) {
         Half half;
         Vec at = seed;
-        double way = 0;
+        double way = 0, turning = 0;
         std::size_t entered = 0;  // samples that are in the grid
         const Vec first_heading = heading;
         const std::size_t most_steps = 100'000;
@@ -155,6 +156,8 @@ private:
             if (distance < 0.5 * step_) return half;  // the field vanishes or turns on the spot
             const Vec turned = (1 / distance) * moved;
             if (n > 0 && dot(turned, heading) < 0.2) return half;
+            if (n > 0) turning += cross(heading, turned);
+            if (std::fabs(turning) > whole_turn && way < own_way * d_) return {};  // too tight to meet itself
             heading = turned;
             at = next;
             way += distance;
@@ -173,7 +176,7 @@ private:
                 half.end = met->line == line ? End::at_itself : End::at_line;
                 half.points.push_back(at);
                 const bool comes_home = met->line == line && std::fabs(met->way) < 1.5 * d_;
-                if (comes_home && dot(heading, first_heading) > 0.7) {
+                if (comes_home && dot(heading, first_heading) > -0.3) {
                     half.end = End::closed;
                     for (int more = 0; more < 4 && dot(at - seed, first_heading) < 0; ++more) {
                         at = advanced(at, heading, step_);
@@ -204,7 +207,7 @@ private:
     }
 
     // The end of a line, bent into the line that it met, or led straight on until something is met.
-    void finish(Half& half, Vec seed, std::uint32_t line) const {
+    void finish(Half& half, Vec seed, std::uint32_t line, const Line& own, std::size_t own_index) const {
         if (half.end == End::at_border || half.end == End::closed || !options_.merges) return;
         const auto heading_of = [&] {
             const Vec last = half.points.empty() ? seed : half.points.back();
@@ -240,17 +243,16 @@ private:
                 }
             }
         }
-        if (half.end != End::at_line || half.met.line >= lines_.size()) return;
-        bend_into(half, heading_of());
+        if (half.end == End::at_line) bend_into(half, heading_of(), lines_[half.met.line], half.met.index);
+        if (half.end == End::at_itself) bend_into(half, heading_of(), own, own_index);
     }
-    void bend_into(Half& half, Vec heading) const {
-        const Line& other = lines_[half.met.line];
+    void bend_into(Half& half, Vec heading, const Line& other, std::size_t index) const {
         const auto count = static_cast<std::int64_t>(other.points.size());
         const auto point = [&](std::int64_t i) {
             return other.points[static_cast<std::size_t>(other.is_closed ? ((i % count) + count) % count
                                                                          : std::clamp(i, std::int64_t{0}, count - 1))];
         };
-        const auto met = static_cast<std::int64_t>(half.met.index);
+        const auto met = static_cast<std::int64_t>(index);
         const Vec along = point(met + 1) - point(met - 1);
         const std::int64_t way = dot(along, heading) < 0 ? -1 : 1;
         // Steps of the other line that make up the lead, fewer where the two meet head on.
@@ -290,13 +292,24 @@ private:
         if (forth.end == End::closed || back.end == End::closed) {
             made = closed_line(seed, forth.end == End::closed ? forth : back);
         } else {
-            finish(forth, seed, line);
-            finish(back, seed, line);
+            // A spiral may end on its own earlier turn.
+            Line own;
+            own.points.assign(back.points.rbegin(), back.points.rend());
+            own.points.push_back(seed);
+            own.points.insert(own.points.end(), forth.points.begin(), forth.points.end());
+            const auto index_of = [&](const Half& half) {
+                const double at = static_cast<double>(back.points.size()) + half.met.way / step_;
+                return static_cast<std::size_t>(std::clamp(at + 0.5, 0.0, static_cast<double>(own.points.size() - 1)));
+            };
+            const std::size_t forth_index = index_of(forth), back_index = index_of(back);
+            finish(forth, seed, line, own, forth_index);
+            finish(back, seed, line, own, back_index);
             const bool is_cut_off = options_.merges && (is_loose(forth.end) || is_loose(back.end));
             made.points.assign(back.points.rbegin(), back.points.rend());
             made.points.push_back(seed);
             made.points.insert(made.points.end(), forth.points.begin(), forth.points.end());
-            const bool is_tie = forth.end == End::at_line && back.end == End::at_line;
+            const auto merges = [](End end) { return end == End::at_line || end == End::at_itself; };
+            const bool is_tie = merges(forth.end) && merges(back.end);
             if (is_cut_off || size_of(made) < (is_tie ? shortest_tie : shortest) * d_) made.points.clear();
         }
         if (made.is_closed && size_of(made) < shortest_ring * d_) made.points.clear();
@@ -308,7 +321,7 @@ private:
         lines_.push_back(std::move(made));
     }
     double size_of(const Line& line) const { return static_cast<double>(line.points.size()) * step_; }
-    static bool is_loose(End end) { return end == End::nowhere || end == End::at_itself; }
+    static bool is_loose(End end) { return end == End::nowhere; }
 
     void forget(Vec seed, const Half& forth, const Half& back, std::uint32_t line) {
         samples_.remove_line(line, seed);

@@ -1,7 +1,11 @@
 #include "scene/by_hand.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "plane/border_map.h"
@@ -155,7 +159,8 @@ private:
             }
             line.clear();
             for (const std::uint32_t v : path.vertices) line.push_back(map.vertices[v]);
-            add_stroke(line, path.is_closed, drawing_.styles[pens[path.edges[0]]], group, rank);
+            const Style pen = drawing_.styles[pens[path.edges[0]]];
+            add_stroke(line, path.is_closed, pen, group, rank);
         }
     }
 
@@ -165,8 +170,8 @@ private:
             if (!is_penned(shapes_[i])) continue;
             const PolygonView polygon = polygon_of(shapes_[i]);
             for (std::size_t r = 0; r < polygon.ring_count(); ++r) {
-                add_stroke(polygon.ring(r), true, style_of(shapes_[i]), groups_of_[shapes_[i].shape],
-                           ranks_[shapes_[i].shape]);
+                const Style pen = style_of(shapes_[i]);
+                add_stroke(polygon.ring(r), true, pen, groups_of_[shapes_[i].shape], ranks_[shapes_[i].shape]);
             }
         }
     }
@@ -188,10 +193,26 @@ private:
     }
 
     std::uint32_t index_of(const Style& style) {
-        const auto at = std::find(drawing_.styles.begin(), drawing_.styles.end(), style);
-        const auto index = static_cast<std::uint32_t>(at - drawing_.styles.begin());
-        if (at == drawing_.styles.end()) drawing_.styles.push_back(style);
-        return index;
+        for (; known_styles_ < drawing_.styles.size(); ++known_styles_) {
+            styles_.emplace(words_of(drawing_.styles[known_styles_]), static_cast<std::uint32_t>(known_styles_));
+        }
+        const auto [known, is_new] = styles_.emplace(words_of(style), static_cast<std::uint32_t>(known_styles_));
+        if (is_new) {
+            drawing_.styles.push_back(style);
+            ++known_styles_;
+        }
+        return known->second;
+    }
+
+    using Words = std::array<std::uint64_t, 4>;
+    static std::uint64_t word_of(const std::optional<Colour>& colour) {
+        if (!colour) return UINT64_MAX;
+        return std::uint64_t{colour->red} << 24 | std::uint64_t{colour->green} << 16 |
+               std::uint64_t{colour->blue} << 8 | colour->alpha;
+    }
+    static Words words_of(const Style& style) {
+        return {word_of(style.fill), word_of(style.stroke), std::bit_cast<std::uint64_t>(style.pen),
+                static_cast<std::uint64_t>(style.corner)};
     }
 
     // Its key hangs on its ends alone, so that it stays as it is when other lines meet it on the way.
@@ -215,10 +236,11 @@ private:
 
     // Strokes come before the overlay of their group; what they draw is no longer stroked.
     void put_strokes() {
-        std::stable_sort(strokes_.begin(), strokes_.end(), [this](const InkedStroke& a, const InkedStroke& b) {
+        std::sort(strokes_.begin(), strokes_.end(), [this](const InkedStroke& a, const InkedStroke& b) {
             if (a.group != b.group) return a.group < b.group;
             if (a.rank != b.rank) return a.rank < b.rank;
-            return outlines_[a.shape.polygon].outer()[0] < outlines_[b.shape.polygon].outer()[0];
+            const Point p = outlines_[a.shape.polygon].outer()[0], q = outlines_[b.shape.polygon].outer()[0];
+            return p != q ? p < q : a.shape.polygon < b.shape.polygon;
         });
         drawing_.geometry.push_back(std::make_shared<const Polygons>(std::move(outlines_)));
         std::vector<std::uint8_t> is_bare(drawing_.shapes.size(), 0);
@@ -257,6 +279,8 @@ private:
     std::vector<std::uint32_t> faces_, borders_, marks_;  // indices in shapes_, as they were perturbed
     std::vector<std::uint32_t> ranks_, groups_of_;        // of each shape of the drawing
     std::vector<std::uint32_t> parents_, depths_;         // of each group
+    std::map<Words, std::uint32_t> styles_;               // of the drawing, as far as they are known
+    std::size_t known_styles_ = 0;
     Polygons outlines_;
     std::vector<InkedStroke> strokes_;
     std::vector<std::pair<std::uint32_t, Style>> bare_;

@@ -31,12 +31,8 @@ namespace {
 
 std::vector<OperatorDescription> make_forms() {
     const auto part = [](std::string_view name, std::string_view help, std::string_view default_text) {
-        return ParameterDescription{.name = name,
-                                    .type = ParameterType::real,
-                                    .help = help,
-                                    .default_text = default_text,
-                                    .low = 0,
-                                    .high = 1};
+        return ParameterDescription{
+            .name = name, .type = ParameterType::real, .help = help, .default_text = default_text, .low = 0, .high = 1};
     };
     return {{.name = "gradient",
              .help = "from one density to another across the box",
@@ -140,7 +136,8 @@ Result<Densities> Densities::of(const OperatorInput& input, std::string_view den
         One one{value, nullptr};
         if (last != nullptr && *last == value) {
             one.picture = densities.all_.back().picture;
-        } else if (const auto* call = std::get_if<SymbolicCall>(&value.data); call != nullptr && call->name == "image") {
+        } else if (const auto* call = std::get_if<SymbolicCall>(&value.data);
+                   call != nullptr && call->name == "image") {
             const Result<std::shared_ptr<const GreyImage>> image = input.forms.image(text_of(*call, "name"));
             if (!image) return image.diagnostics();
             one.picture = sums_of(**image);

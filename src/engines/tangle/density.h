@@ -29,7 +29,7 @@ private:
         Value value;
         std::shared_ptr<const DarknessSums> picture;
     };
-    std::vector<One> all_;  // one where all shapes have the same
+    std::vector<One> all_;    // one where all shapes have the same
     std::vector<Box> boxes_;  // the same; empty: each shape's own
 };
 

@@ -76,8 +76,10 @@ Circles rings_of(const PolarLayout& layout, SplitLevels levels) {
 }
 
 Rays rays_of(const PolarLayout& layout, const std::vector<double>& offsets, double at_distance) {
-    const double fewest = offsets.size() > 1 ? 1 : 2;
-    const double cycles = std::max(fewest, std::round(2 * elementary::pi * at_distance / sum(offsets)));
+    const double around = 2 * elementary::pi * at_distance / sum(offsets);
+    // An even number of rays, so that colours that take turns close up.
+    const double cycles =
+        offsets.size() % 2 == 0 ? std::max(1.0, std::round(around)) : std::max(2.0, 2 * std::round(around / 2));
     return {.centre = layout.centre,
             .degrees = degrees_of(offsets, std::min(cycles, double{most_levels}), layout.first_degrees),
             .tolerance = layout.tolerance};

@@ -45,7 +45,7 @@ struct PolarLayout {
 };
 SplitLevels ring_levels(const PolarLayout& layout, const std::vector<double>& offsets);
 Circles rings_of(const PolarLayout& layout, SplitLevels levels);
-// Rays as far apart as the offsets say at a distance from the centre, at least two, a whole number of times around.
+// An even number of rays, about as far apart as the offsets say at a distance from the centre.
 Rays rays_of(const PolarLayout& layout, const std::vector<double>& offsets, double at_distance);
 // Arms with the offsets between them, two where there is one offset: one alone would not part a shape.
 Rays spiral_of(const PolarLayout& layout, const std::vector<double>& offsets);

@@ -9,9 +9,6 @@
 #include "plane/verify.h"
 
 namespace filigree::tangle {
-
-Operator streamline_split_operator();
-
 namespace {
 
 using namespace test_shapes;
@@ -90,7 +87,7 @@ TEST(StreamlineSplit, PiecesPartitionEveryShapeInEveryKindAndMode) {
                 ASSERT_EQ(output->groups.size(), 1U);
                 const std::vector<Shape>& pieces = output->groups[0].shapes;
                 ASSERT_EQ(pieces.size(), output->geometry.size());
-                EXPECT_GT(pieces.size(), 8U);
+                EXPECT_GE(pieces.size(), 8U);
                 std::set<Key> keys;
                 for (const Shape& piece : pieces) {
                     keys.insert(piece.key);

@@ -15,11 +15,12 @@ enum Port { placed_port, remainder_port };
 
 constexpr double least_gap = 0x1p-10;  // px: neighbours never touch, so the remainder keeps clean rings
 constexpr unsigned relaxation_rounds = 3;
+constexpr double least_inside = 0.6;  // of its radius: how near to the border an object outside may be cut by it
 
 enum class Border { inside, touch, clip };
 
 struct Wish {
-    std::string_view word;   // empty for a drawn motif
+    std::string_view word;  // empty for a drawn motif
     const Motif* drawn = nullptr;
     double radius = 0, spacing = 0, variation = 0, least = 0, resolution = 0;
     bool is_relaxed = true;
@@ -44,18 +45,45 @@ Wish wish_of(const OperatorInput& input, const DrawnMotifs& drawn, std::size_t i
     return wish;
 }
 
-std::vector<SpreadPoint> places_in(PolygonView polygon, const Wish& wish, std::uint64_t limit) {
+// Where objects are cut by the border, they lie as if it were not there: spread over all of the box and beyond, as
+// long as that is not much more than the region.
+std::vector<SpreadPoint> places_all_over(PolygonView polygon, const Wish& wish, SpreadOptions options) {
+    constexpr double most = 12;  // times the region's own area
+    const Box box = bounds(polygon);
+    const Vec low = to_px(box.min), high = to_px(box.max);
+    const double rim = 2 * wish.spacing + wish.radius;
+    const Vec size = high - low + Vec{2 * rim, 2 * rim};
+    if (size.x * size.y > most * (area(polygon) + wish.spacing * wish.spacing)) return spread(polygon, options);
+    Polygons around;
+    around.points = {snap({low.x - rim, low.y - rim}), snap({high.x + rim, low.y - rim}),
+                     snap({high.x + rim, high.y + rim}), snap({low.x - rim, high.y + rim})};
+    around.end_ring();
+    around.end_polygon();
+    options.limit = std::min(options.limit, UINT64_MAX / 16) * 16;
+    return spread(around[0], options);
+}
+
+std::vector<SpreadPoint> places_in(PolygonView polygon, const EdgeTree& border, const Wish& wish, std::uint64_t limit) {
     SpreadOptions options;
     options.spacing = options.apart = wish.spacing;
-    // Large motifs shrink to their neighbours, and so may stand as near to the border as to them.
-    const double own = std::min(wish.radius, wish.spacing / 2);
-    if (wish.border == Border::inside) {
-        options.clearance = own + least_gap;
-        options.least_clearance = own * wish.least;
-    }
     options.rounds = wish.is_relaxed ? relaxation_rounds : 0;
     options.seed = wish.choice;
     options.limit = limit;
+    if (wish.border == Border::clip) {
+        std::vector<SpreadPoint> places = places_all_over(polygon, wish, options);
+        // Objects of which little lies inside would only leave slivers.
+        std::erase_if(places, [&](const SpreadPoint& place) {
+            const double reach = least_inside * std::min(wish.radius, wish.spacing / 2);
+            return !border.is_any_nearer(place.at, reach) && !border.is_inside(place.at);
+        });
+        return places;
+    }
+    if (wish.border == Border::inside) {
+        // Large motifs shrink to their neighbours, and so may stand as near to the border as to them.
+        const double own = std::min(wish.radius, wish.spacing / 2);
+        options.clearance = own + least_gap;
+        options.least_clearance = own * wish.least;
+    }
     return spread(polygon, options);
 }
 
@@ -69,6 +97,7 @@ Polygons outlines_of(const Wish& wish, const std::vector<Pose>& poses, const std
                      const Motif& motif, std::vector<std::uint32_t>& owners) {
     Polygons objects;
     const bool is_blob = wish.word == "blob";
+    std::vector<Vec> circle;
     int corners = 0;
     Motif round;
     for (std::uint32_t i = 0; i < poses.size(); ++i) {
@@ -77,11 +106,12 @@ Polygons outlines_of(const Wish& wish, const std::vector<Pose>& poses, const std
             append(objects, motif, poses[i]);
         } else {
             const int wanted = circle_corners(poses[i].radius, wish.resolution);
-            if (is_blob || wanted != corners) {
+            if (wanted != corners) {
                 corners = wanted;
-                round = is_blob ? blob_motif(std::max(corners * 3 / 2, 24), bits[i]) : disc_motif(corners);
+                circle = unit_circle(std::max(corners * 3 / 2, 24));
+                round = disc_motif(corners);
             }
-            append(objects, round, poses[i]);
+            append(objects, is_blob ? blob_motif(circle, bits[i]) : round, poses[i]);
         }
         owners.resize(objects.size(), i);
     }
@@ -95,8 +125,8 @@ Result<OperatorOutput> run(const OperatorInput& input) {
     return for_each_shape(input, [&](std::size_t index, const Shape& shape, PolygonView polygon, Batch& batch) {
         const Wish wish = wish_of(input, *drawn, index, shape);
         const std::uint64_t limit = input.element_budget + 1 - std::min(input.element_budget, batch.added);
-        const std::vector<SpreadPoint> places = places_in(polygon, wish, limit);
         const EdgeTree border(edges_of(polygon, Point{0, 0}));
+        const std::vector<SpreadPoint> places = places_in(polygon, border, wish, limit);
 
         std::vector<Pose> poses;
         std::vector<std::uint64_t> bits;

@@ -2,30 +2,15 @@
 #include <atomic>
 
 #include "engines/tangle/operators/operators.h"
-#include "language/form_value.h"
+#include "engines/tangle/split_family.h"
 #include "plane/streamline_cut.h"
 
 namespace filigree::tangle {
 namespace {
 
-const std::vector<OperatorDescription>& place_forms() {
-    static const std::vector<OperatorDescription> forms{
-        {.name = "point",
-         .help = "a place on the page",
-         .parameters = {{.name = "x", .type = ParameterType::length, .help = "to the right", .low = -1e8, .high = 1e8},
-                        {.name = "y", .type = ParameterType::length, .help = "downwards", .low = -1e8, .high = 1e8}},
-         .example = "point(40mm, 25mm)"}};
-    return forms;
-}
-
 StreamlineKind kind_of(std::string_view word) {
     if (word == "strip") return StreamlineKind::strip;
     return word == "circular" || word == "circ" ? StreamlineKind::circular : StreamlineKind::smooth;
-}
-
-Vec centre_of(const Value& value, PolygonView polygon) {
-    const SymbolicCall* const call = std::get_if<SymbolicCall>(&value.data);
-    return call == nullptr ? centroid(polygon) : Vec{number_of(*call, "x"), number_of(*call, "y")};
 }
 
 Result<OperatorOutput> run(const OperatorInput& input) {
@@ -43,7 +28,7 @@ Result<OperatorOutput> run(const OperatorInput& input) {
             options.tolerance = input.resolution;
             options.limit = input.element_budget;
             if (options.kind == StreamlineKind::circular) {
-                options.centre = centre_of(arguments.value("centre", index), polygon);
+                options.centre = centre_of(arguments.value("centre", index), centroid(polygon));
             }
             const StreamlineCut cut = cut_by_streamlines(polygon, options);
             if (cut.is_too_fine) too_many = true;
@@ -87,13 +72,7 @@ Operator streamline_split_operator() {
                              .help = "level lines, which never meet, or lines of a field, which split and merge",
                              .default_text = "iso",
                              .words = {"iso", "field"}},
-                            {.name = "centre",
-                             .type = ParameterType::form,
-                             .help = "of circles; it may lie outside the shape",
-                             .default_text = "centroid",
-                             .words = {"centroid"},
-                             .aliases = {"center"},
-                             .forms = &place_forms()},
+                            centre_parameter(),
                             {.name = "smoothing",
                              .type = ParameterType::real,
                              .help = "how far outlines round corners off, in offsets; 0 keeps them",

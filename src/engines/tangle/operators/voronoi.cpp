@@ -43,7 +43,8 @@ Sites lattice_sites(PolygonView polygon, double spacing, std::uint64_t limit) {
     const double first_row = std::floor(low.y / row_height) - 1, last_row = std::ceil(high.y / row_height) + 1;
     const double columns = (high.x - low.x) / spacing + 4;
     Sites sites;
-    sites.too_many = !((last_row - first_row) * columns < static_cast<double>(std::min<std::uint64_t>(limit, 1U << 24)) * 4 + 64);
+    sites.too_many =
+        !((last_row - first_row) * columns < static_cast<double>(std::min<std::uint64_t>(limit, 1U << 24)) * 4 + 64);
     if (sites.too_many) return sites;
     for (double row = first_row; row <= last_row; ++row) {
         const double shift = std::fmod(row, 2) == 0 ? 0 : 0.5;
