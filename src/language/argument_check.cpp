@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "language/form_value.h"
 #include "language/names.h"
 #include "language/parameter_value.h"
 #include "language/walk.h"
@@ -33,8 +34,12 @@ bool takes_numbers(ParameterType type) {
 
 bool ArgumentCheck::fits(const Expression& argument) const {
     Evaluation here = at;
+    const std::vector<std::string_view> forms = form_names(parameter);
     for (const Alternative& alternative : alternatives_of(argument)) {
         if (alternative.kind == Kind::range) continue;
+        // Whoever writes star(5, 10) means this parameter, whatever is wrong inside.
+        const auto* call = std::get_if<CallExpression>(&alternative.expression->node);
+        if (call != nullptr && std::find(forms.begin(), forms.end(), call->name) != forms.end()) return true;
         here.by_shape = alternative.by_shape;
         const bool fixed_value = is_constant(*alternative.expression, here, fixed, varying);
         const Result<Value> value = evaluate(*alternative.expression, here);

@@ -105,8 +105,14 @@ public:
         Polygons moved;
         for (std::size_t p = first; p < end; ++p) {
             for (std::size_t r = rings_.first_ring(p); r < rings_.polygon_ends[p]; ++r) {
+                const std::size_t begin = moved.points.size();
                 for (const std::uint32_t v : rings_.ring(r)) moved.points.push_back(at_[v]);
-                moved.end_ring();
+                // A needle thinner than the weld's tolerance is nothing but edges on each other.
+                if (doubled_area(RingView(moved.points).subspan(begin)) == 0) {
+                    moved.points.resize(begin);
+                } else {
+                    moved.end_ring();
+                }
             }
             moved.end_polygon();
         }

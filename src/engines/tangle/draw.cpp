@@ -15,6 +15,7 @@ namespace filigree::tangle {
 namespace {
 
 constexpr Colour ink{0, 0, 0, 255};
+constexpr std::uint64_t hand_noise = 1;  // not the document's seed: replayed choices draw the same at any seed
 constexpr Colour paper{255, 255, 255, 255};
 
 // Outlines of large regions are drawn bolder than the hatching inside them.
@@ -140,7 +141,7 @@ public:
         if (is_stopped()) return errors_;  // not all steps have a group then
         for (std::uint32_t s = 0; s < tangle_.steps.size() && !is_stopped(); ++s) draw_overlay(s);
         if (is_stopped()) return errors_;
-        draw_by_hand(drawing_, hand_shapes_, walk_.document_seed);
+        draw_by_hand(drawing_, hand_shapes_, hand_noise);
         DrawingPlacer placer(drawing_);
         for (std::uint32_t s = 0; s < tangle_.steps.size() && !is_stopped(); ++s) place_embedded(s, placer);
         if (is_stopped()) return errors_;

@@ -3,7 +3,7 @@
 // Without a style a shape is white with a black border, an inverted one black, and what lies inside it is
 // drawn in white. Pens are finer the deeper a shape lies. A `style` of a tag whose shapes were expanded
 // draws their borders once more, over what they hold. Where a style says so, lines waver (`wobble`) and pens are
-// drawn as by hand (`line: drawn`); one noise, by the document's seed, moves all that belongs to the document.
+// drawn as by hand (`line: drawn`); one noise, the same for all documents, moves all that belongs to one.
 #pragma once
 
 #include "base/job.h"
