@@ -340,7 +340,8 @@ private:
             largest = std::max({largest, to_px(box.max).x - to_px(box.min).x, to_px(box.max).y - to_px(box.min).y});
             for (Piece& earlier : pieces_) {
                 if (earlier.area.empty() || !overlaps(bounds(earlier.area), box)) continue;
-                if (area(intersect(earlier.area, piece.area)) <= 0) continue;
+                Polygons rest = subtract(earlier.area, piece.area);
+                if (!(area(earlier.area) - area(rest) > 0)) continue;  // they touch at most
                 if (overlap == "error" && earlier.statement != piece.statement) {
                     diagnostics_.push_back(
                         error("start.overlap", "the start '" + piece.tag + "' overlaps the start '" + earlier.tag + "'",
@@ -351,7 +352,7 @@ private:
                     piece.area = unite(earlier.area, piece.area);
                     earlier.area = {};
                 } else {
-                    earlier.area = subtract(earlier.area, piece.area);
+                    earlier.area = std::move(rest);
                 }
             }
             pieces_.push_back(std::move(piece));

@@ -6,7 +6,7 @@
 namespace filigree {
 namespace {
 
-constexpr double samples_per_wave = 16;
+constexpr double samples_per_wave = 10;
 constexpr double shortest_step = 0.5;            // px
 constexpr double most_samples = 4096;            // on one edge
 constexpr double steepest_amplitude = 1.0 / 20;  // of the wavelength: noise does not fold the plane over

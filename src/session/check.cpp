@@ -86,7 +86,8 @@ public:
             take(start.diagnostics());
             if (start) checked.start = std::move(*start);
         }
-        const std::vector<std::string> tags = start_tags(opened, *checked.settings);
+        const std::vector<std::string> tags =
+            start_tags(opened, *checked.settings, checked.start ? &*checked.start : nullptr);
         Result<tangle::Grammar> grammar =
             tangle::read_grammar(*checked.settings, opened.document, tags, embeddable(opened));
         take(grammar.diagnostics());
@@ -151,19 +152,24 @@ CheckedDocument check_document(const OpenedDocument& opened, const Replay* repla
     return checked;
 }
 
-std::vector<std::string> start_tags(const OpenedDocument& opened, const Settings& settings) {
+std::vector<std::string> start_tags(const OpenedDocument& opened, const Settings& settings, const PlaneStart* start) {
     std::vector<std::string> tags;
     bool has_layers = false;
     for (const Statement& statement : opened.document.statements) {
-        const auto* start = std::get_if<StartStatement>(&statement.node);
-        if (start == nullptr) continue;
-        has_layers = has_layers || start->from;
-        if (!start->from) tags.push_back(start->tag.text);
+        const auto* said = std::get_if<StartStatement>(&statement.node);
+        if (said == nullptr) continue;
+        has_layers = has_layers || said->from;
+        if (!said->from) tags.push_back(said->tag.text);
     }
     if (!has_layers) return tags;
-    const ShapeSource shapes(opened.inputs, settings.resolution);
-    const Result<PlaneStart> start = make_plane_start(settings, opened.document, shapes);
-    if (!start) return tags;
+    std::optional<PlaneStart> own;
+    if (start == nullptr) {
+        const ShapeSource shapes(opened.inputs, settings.resolution);
+        Result<PlaneStart> made = make_plane_start(settings, opened.document, shapes);
+        if (!made) return tags;
+        own = std::move(*made);
+        start = &*own;
+    }
     for (const StartGroup& group : start->groups) {
         if (std::find(tags.begin(), tags.end(), group.tag) == tags.end()) tags.push_back(group.tag);
     }

@@ -30,8 +30,10 @@ struct CheckedDocument {
 // `opened` must outlive the result. `replay`: choices to be taken instead of drawing, before those of the document.
 CheckedDocument check_document(const OpenedDocument& opened, const Replay* replay = nullptr);
 
-// The tags of the starts, in the order of their mention; those of an SVG's layers behind them.
-std::vector<std::string> start_tags(const OpenedDocument& opened, const Settings& settings);
+// The tags of the starts, in the order of their mention; those of an SVG's layers behind them. `start`: as made from
+// the document; null where it is not known yet.
+std::vector<std::string> start_tags(const OpenedDocument& opened, const Settings& settings,
+                                    const PlaneStart* start = nullptr);
 
 // What the document's `embed` may name.
 EmbeddableDocuments embeddable(const OpenedDocument& opened);

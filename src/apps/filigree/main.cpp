@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "apps/filigree/commands.h"
+#include "base/heap.h"
 #include "language/parse.h"
 
 namespace {
@@ -325,6 +326,7 @@ void add_describe(CLI::App& app, Run& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    filigree::prepare_heap();
     CLI::App app{"Filigree grows ornament from grammars."};
     app.name("filigree");
     app.set_version_flag("--version", "filigree 0.1.0");
