@@ -178,6 +178,7 @@ StreamlineCut cut_by_streamlines(PolygonView shape, const StreamlineCutOptions& 
     const double offset = std::accumulate(options.offsets.begin(), options.offsets.end(), 0.0) /
                           static_cast<double>(options.offsets.size());
     constexpr double most_cells = 4e6;
+    constexpr double finest_field = 96;  // steps of the field across the shape
     if (options.by_field || options.dual) {
         const double cells = size.x * size.y / (offset * offset);
         result.is_too_fine =
@@ -196,14 +197,21 @@ StreamlineCut cut_by_streamlines(PolygonView shape, const StreamlineCutOptions& 
         distances = spline_of(grid, at_nodes);
         samples = sampled_border(shape, origin, offset);
         if (options.by_field) {
+            // The field is as smooth as the shape is wide, so fine lines in a wide shape need no finer grid for it.
+            const double step = std::max(offset, std::max(size.x, size.y) / finest_field);
+            const Grid coarse = step > offset ? grid_over(size, step, 4) : grid;
+            const std::vector<double> at_coarse = step > offset ? signed_distances(border, coarse) : at_nodes;
+            const BorderSamples around = step > offset ? sampled_border(shape, origin, step) : samples;
             const std::vector<Vec> vectors =
-                border_vectors(samples, border, size, area(shape), centre, options.kind, offset);
+                border_vectors(around, border, size, area(shape), centre, options.kind, step);
             // Vectors that turn round a centre have a sign; along a border, and across, it only cancels.
             std::function<Vec(Vec)> direction;
             if (options.kind == StreamlineKind::circular) {
-                direction = [field = boundary_field(samples, vectors, grid, at_nodes)](Vec p) { return field.at(p); };
+                direction = [field = boundary_field(around, vectors, coarse, at_coarse)](Vec p) { return field.at(p); };
             } else {
-                direction = [field = direction_field(samples, vectors, grid, at_nodes)](Vec p) { return field.at(p); };
+                direction = [field = direction_field(around, vectors, coarse, at_coarse)](Vec p) {
+                    return field.at(p);
+                };
             }
             StreamlineOptions even;
             even.separation = offset;
