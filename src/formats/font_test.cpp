@@ -26,7 +26,7 @@ const std::string& sans() {
 }
 // OpenType with cubic outlines; an em is 1000 units.
 const std::string& display() {
-    static const std::string bytes = file("examples/fonts/LeagueSpartan-Black.otf");
+    static const std::string bytes = file("examples/tangle/starts/LeagueSpartan-Black.otf");
     return bytes;
 }
 
