@@ -65,6 +65,26 @@ private:
         return nullptr;
     }
 
+    // All texts that the expression can come to, such as both of one_of("a.svg", "b.svg").
+    void add_texts_in(const ExpressionPtr& root) {
+        std::vector<const Expression*> open, met;
+        if (root) open.push_back(root.get());
+        while (!open.empty()) {
+            const Expression* value = open.back();
+            open.pop_back();
+            if (const auto* name = std::get_if<NameReference>(&value->node)) {
+                const Expression* defined = definition_of(name->name);
+                const bool is_known = std::find(met.begin(), met.end(), defined) != met.end();
+                if (defined == nullptr || is_known) continue;
+                met.push_back(defined);
+                value = defined;
+            }
+            if (const auto* text = std::get_if<TextLiteral>(&value->node)) add(text->text, value->span);
+            const std::vector<PlacedExpression> parts = parts_of(*value, {}, true);
+            for (auto part = parts.rbegin(); part != parts.rend(); ++part) open.push_back(part->expression);
+        }
+    }
+
     // The argument that names a file, by its name or its place.
     void add_file_of(const CallExpression& call) {
         const bool is_text = call.name == "text";
@@ -74,11 +94,7 @@ private:
         for (const CallArgument& argument : call.arguments) {
             const auto* key = argument.key ? std::get_if<NameReference>(&argument.key->node) : nullptr;
             if (argument.key ? key == nullptr || key->name != wanted : place-- != 0) continue;
-            const Expression* value = argument.value.get();
-            const auto* name = value != nullptr ? std::get_if<NameReference>(&value->node) : nullptr;
-            if (name != nullptr) value = definition_of(name->name);
-            const auto* text = value != nullptr ? std::get_if<TextLiteral>(&value->node) : nullptr;
-            if (text != nullptr) add(text->text, argument.value->span);
+            add_texts_in(argument.value);
             return;
         }
     }

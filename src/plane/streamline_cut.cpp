@@ -184,6 +184,9 @@ StreamlineCut cut_by_streamlines(PolygonView shape, const StreamlineCutOptions& 
         result.is_too_fine =
             !(cells < most_cells && area(shape) / (offset * offset) < 4 * static_cast<double>(options.limit) + 100);
     }
+    // Level lines may be few and yet as long as that.
+    constexpr double longest_lines = 3e8;  // offsets
+    result.is_too_fine = result.is_too_fine || !(area(shape) / (offset * offset) < longest_lines);
     if (result.is_too_fine) return result;
 
     StreamlineLevels levels;

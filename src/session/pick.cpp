@@ -116,10 +116,42 @@ std::optional<Picked> pick_in(const Layer& layer, Vec at) {
     return picked;
 }
 
+// The same in all copies of a motif; later ones lie over earlier ones (scene/repeat.h).
+std::optional<Picked> pick_in_copies(const Layer& motif, const Symmetry& symmetry, Vec at) {
+    const Box box = bounds(*motif.tangle.geometry[0]);
+    const Vec tile = to_px(symmetry.tile());
+    // The whole tiles by which a stretch from low to high comes to lie over a place, the farthest first.
+    const auto tiles = [](double place, double low, double high, double side) {
+        if (!(side > 0)) return std::pair<std::int64_t, std::int64_t>{0, 0};
+        return std::pair{static_cast<std::int64_t>(std::floor((place - low) / side)),
+                         static_cast<std::int64_t>(std::ceil((place - high) / side))};
+    };
+    for (std::uint32_t operation = symmetry.operation_count(); operation-- > 0;) {
+        const Transform to_copy = symmetry.transform({operation, 0, 0});
+        Vec low{1e300, 1e300}, high{-1e300, -1e300};
+        for (const Point corner : {box.min, box.max, Point{box.min.x, box.max.y}, Point{box.max.x, box.min.y}}) {
+            const Vec image = apply(to_copy, to_px(corner));
+            low = {std::min(low.x, image.x), std::min(low.y, image.y)};
+            high = {std::max(high.x, image.x), std::max(high.y, image.y)};
+        }
+        const auto [last_row, first_row] = tiles(at.y, low.y, high.y, tile.y);
+        const auto [last_column, first_column] = tiles(at.x, low.x, high.x, tile.x);
+        for (std::int64_t row = last_row; row >= first_row; --row) {
+            for (std::int64_t column = last_column; column >= first_column; --column) {
+                const Transform copy = symmetry.transform({operation, column, row});
+                if (auto picked = pick_in(motif, apply(inverse(copy), at))) return picked;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Picked> pick(const OpenedDocument& opened, const CheckedDocument& checked, const Run& run, Vec at) {
-    return pick_in({opened, checked, run.tangle, ""}, at);
+    const Layer whole{opened, checked, run.tangle, ""};
+    if (checked.start->symmetry) return pick_in_copies(whole, *checked.start->symmetry, at);
+    return pick_in(whole, at);
 }
 
 std::string picked_text(const Picked& picked) {

@@ -29,7 +29,8 @@ struct Picked {
 };
 
 // The shape that is drawn on top there, in the coordinates of the drawing, px; none where there is nothing. Shapes of
-// documents that grow inside others are found, with the steps on both sides of the border.
+// documents that grow inside others are found, with the steps on both sides of the border; those of copies by a
+// symmetry too, as the shapes that they copy.
 std::optional<Picked> pick(const OpenedDocument& opened, const CheckedDocument& checked, const Run& run, Vec at);
 
 std::string picked_text(const Picked& picked);

@@ -13,7 +13,7 @@ namespace {
 
 using filigree::OpenOptions;
 
-constexpr const char* document_help = "a .fil file, or an SVG that Filigree wrote";
+constexpr const char* document_help = "a .fil file, or an SVG or PDF that Filigree wrote";
 
 // What the chosen command does.
 using Run = std::function<int()>;

@@ -322,6 +322,7 @@ Canvas canvas_of(const Tangle& tangle, const Settings& settings, const Document&
     canvas.size = {settings.page.width, settings.page.height};
     canvas.origin = 0.5 * (low + high) - 0.5 * canvas.size;
     const double margin = settings.page.margin.value_or(0);
+    if (settings.page.kind == PageStatement::Kind::tile) return canvas;  // what crosses its edges comes in again
     if (extent.x > canvas.size.x - 2 * margin + 1e-6 || extent.y > canvas.size.y - 2 * margin + 1e-6) {
         warnings.push_back(warning("page.too-small", "the starts are larger than the page within its margins", {},
                                    {"a larger page, a smaller start, or `page fit`"}));

@@ -15,6 +15,15 @@ Diagnostic too_many_shapes(const OperatorInput& input) {
                      std::to_string(input.element_budget) + " more)");
 }
 
+bool is_too_dense(const OperatorInput& input, std::string_view spacing) {
+    double least = 0;
+    for (std::size_t i = 0; i < input.shapes.size(); ++i) {
+        const double apart = input.arguments.number(spacing, i);
+        least += 0.25 * area(input.tangle.polygon(input.shapes[i])) / (apart * apart);
+    }
+    return least > static_cast<double>(input.element_budget) + 100;
+}
+
 Result<OperatorOutput> for_each_shape(const OperatorInput& input, const ShapeWork& work) {
     const std::size_t port_count = input.arguments.description->ports.size();
     const std::size_t batch_count = (input.shapes.size() + batch_size - 1) / batch_size;

@@ -64,6 +64,8 @@ inline Shape piece_of(const Shape& parent, Key step, std::uint64_t local, std::s
 }
 
 Diagnostic too_many_shapes(const OperatorInput& input);
+// Whether things `spacing` (a parameter, px) apart must be far more than may be made: told before any is.
+bool is_too_dense(const OperatorInput& input, std::string_view spacing);
 
 // Runs `work` on every shape, in parallel and in batches, and joins what it adds: one output group a port.
 // `work` adds polygons to `geometry` and the shapes of port p to `ports[p]`, and returns false to stop with

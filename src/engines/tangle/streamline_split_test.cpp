@@ -104,8 +104,7 @@ TEST(StreamlineSplit, PiecesPartitionEveryShapeInEveryKindAndMode) {
 TEST(StreamlineSplit, CirclesGoRoundTheGivenPoint) {
     Split split(rectangle(80, 80));
     split.given["kind"] = {Symbol{"circular"}, {}};
-    split.given["centre"] = {
-        SymbolicCall{"point", {{"x", {Quantity{-30, 1, false}, {}}, {}}, {"y", {Quantity{40, 1, false}, {}}, {}}}}, {}};
+    split.given["centre"] = {Vec{-30, 40}, {}};
     const Result<OperatorOutput> output = split.run();
     ASSERT_TRUE(output);
     std::set<std::int32_t> columns;

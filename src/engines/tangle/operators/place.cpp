@@ -120,6 +120,7 @@ Polygons outlines_of(const Wish& wish, const std::vector<Pose>& poses, const std
 
 Result<OperatorOutput> run(const OperatorInput& input) {
     const Arguments& arguments = input.arguments;
+    if (is_too_dense(input, "spacing")) return too_many_shapes(input);
     const Result<DrawnMotifs> drawn = DrawnMotifs::of(input, "shape", "size");
     if (!drawn) return drawn.diagnostics();
     return for_each_shape(input, [&](std::size_t index, const Shape& shape, PolygonView polygon, Batch& batch) {

@@ -18,6 +18,8 @@
 namespace filigree::tangle {
 namespace {
 
+constexpr std::size_t most_rays = 20'000;  // all meet in one point, where each is looked at with each other
+
 // Local keys of the pieces of one cut, which come by strip: the strip's number and which piece of it, so that
 // one strip more at either end renames nothing.
 class LocalKeys {
@@ -206,7 +208,7 @@ private:
         CurveFamily first, second;
         if (are_rays) {
             Rays rays = rays_of(layout, offsets_, (layout.reach.low + layout.reach.high) / 2);
-            if (rays.degrees.size() > most_curves()) return false;
+            if (rays.degrees.size() > std::min(most_curves(), most_rays)) return false;
             first = std::move(rays);
         }
         if (word_ == "spiral") {
@@ -223,7 +225,7 @@ private:
         }
         if (!are_rays && dual_) {
             Rays rays = rays_of(layout, mean, layout.reach.high);
-            if (rays.degrees.size() > most_curves()) return false;
+            if (rays.degrees.size() > std::min(most_curves(), most_rays)) return false;
             second = std::move(rays);
         }
         return split_by_families(first, dual_ ? &second : nullptr, [&](PolygonView piece) {

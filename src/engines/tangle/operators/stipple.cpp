@@ -33,6 +33,7 @@ Motif motif_of_word(std::string_view mark, double radius, double stroke, double 
 
 Result<OperatorOutput> run(const OperatorInput& input) {
     const Arguments& arguments = input.arguments;
+    if (is_too_dense(input, "spacing")) return too_many_shapes(input);
     Result<DrawnMotifs> drawn = DrawnMotifs::of(input, "mark", "size");
     if (!drawn) return drawn.diagnostics();
     const Result<Densities> densities = Densities::of(input, "density", "over");

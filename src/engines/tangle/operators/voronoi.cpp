@@ -62,6 +62,7 @@ Sites lattice_sites(PolygonView polygon, double spacing, std::uint64_t limit) {
 
 Result<OperatorOutput> run(const OperatorInput& input) {
     const Arguments& arguments = input.arguments;
+    if (is_too_dense(input, "spacing")) return too_many_shapes(input);
     std::atomic<bool> too_many = false;
     Result<OperatorOutput> output =
         for_each_shape(input, [&](std::size_t index, const Shape& shape, PolygonView polygon, Batch& batch) {
@@ -92,6 +93,8 @@ Result<OperatorOutput> run(const OperatorInput& input) {
     return output;
 }
 
+bool has_random_sites(const Arguments& arguments) { return arguments.word("sites") != "lattice"; }
+
 }  // namespace
 
 Operator voronoi_operator() {
@@ -118,7 +121,8 @@ Operator voronoi_operator() {
              .ports = {{"cells", "the cells"}},
              .example = "voronoi(18) : rim -> stones"},
             run,
-            true};
+            true,
+            has_random_sites};
 }
 
 }  // namespace filigree::tangle
