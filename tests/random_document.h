@@ -26,6 +26,13 @@ inline std::uint64_t first_seed() {
     return wanted == nullptr ? 1 : std::strtoull(wanted, nullptr, 10);
 }
 
+// FILIGREE_SCALE: how much coarser random documents are, so that long runs derive many small ones.
+inline double document_scale() {
+    const char* wanted = std::getenv("FILIGREE_SCALE");
+    const double scale = wanted == nullptr ? 1 : std::strtod(wanted, nullptr);
+    return scale >= 1 && scale <= 10 ? scale : 1;
+}
+
 class RandomDocument {
 public:
     // `scale`: of all sizes of what is made; documents of a larger one have fewer shapes.

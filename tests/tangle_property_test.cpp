@@ -45,7 +45,7 @@ TEST(TangleProperty, RandomGrammarsKeepTheInvariants) {
     const std::uint64_t first = first_seed(), count = case_count(1000);
     for (std::uint64_t seed = first; seed < first + count; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        const std::string text = RandomDocument(seed).text();
+        const std::string text = RandomDocument(seed, document_scale()).text();
         const OpenedDocument opened = open_text("random.fil", text, {});
         const CheckedDocument checked = check_document(opened);
         ASSERT_FALSE(has_errors(checked.diagnostics)) << text << to_text(checked.diagnostics, opened.document.sources);

@@ -109,21 +109,33 @@ Shared file_parts(const SymbolicCall& shape, const SvgPicture& picture, double r
     return shared(std::move(parts));
 }
 
-// Moves parts so that the middle of their box comes to lie at a point.
-void centre_at(PartList& parts, Vec at) {
+struct Extent {
     double low_x = std::numeric_limits<double>::infinity(), low_y = low_x, high_x = -low_x, high_y = -low_x;
+};
+Extent box_of(const PartList& parts) {
+    Extent box;
     for (const ShapePart& part : parts) {
         for (const Polyline& line : part.lines) {
             for (const Vec& point : line.points) {
-                low_x = std::min(low_x, point.x);
-                low_y = std::min(low_y, point.y);
-                high_x = std::max(high_x, point.x);
-                high_y = std::max(high_y, point.y);
+                box.low_x = std::min(box.low_x, point.x);
+                box.low_y = std::min(box.low_y, point.y);
+                box.high_x = std::max(box.high_x, point.x);
+                box.high_y = std::max(box.high_y, point.y);
             }
         }
     }
-    if (!(high_x >= low_x)) return;
-    const Vec shift = at - Vec{(low_x + high_x) / 2, (low_y + high_y) / 2};
+    return box;
+}
+double extent_of(const PartList& parts) {
+    const Extent box = box_of(parts);
+    return std::max(0.0, std::max(box.high_x - box.low_x, box.high_y - box.low_y));
+}
+
+// Moves parts so that the middle of their box comes to lie at a point.
+void centre_at(PartList& parts, Vec at) {
+    const Extent box = box_of(parts);
+    if (!(box.high_x >= box.low_x)) return;
+    const Vec shift = at - Vec{(box.low_x + box.high_x) / 2, (box.low_y + box.high_y) / 2};
     for (ShapePart& part : parts) {
         for (Polyline& line : part.lines) {
             for (Vec& point : line.points) point = point + shift;
@@ -192,29 +204,34 @@ Result<std::shared_ptr<const T>> ShapeSource::once(Memo<T>& memo, const std::str
 }
 
 Result<ShapeSource::Parts> ShapeSource::parts(const SymbolicCall& shape) const {
-    return once(parts_, to_text(Value{shape, {}}), [&]() -> Shared {
-        if (shape.name == "path") return path_parts(shape, resolution_);
-        if (shape.name == "file") {
-            const auto found = picture(text_of(shape, "name"));
-            if (!found) return found.diagnostics();
-            Shared parts = file_parts(shape, **found, resolution_);
-            if (!parts) return parts;
-            return {*parts, found.diagnostics()};
-        }
-        if (shape.name == "text") return text_parts(shape, inputs_, resolution_);
-        if (shape.name == "image") {
-            const auto found = image(text_of(shape, "name"));
-            if (!found) return found.diagnostics();
-            return shared(image_parts(shape, **found), found.diagnostics());
-        }
-        return shared({{built_in_outline(shape, resolution_), FillRule::nonzero, true, {}}});
-    });
+    return once(parts_, to_text(Value{shape, {}}), [&] { return parts_at(shape, resolution_); });
+}
+
+Result<ShapeSource::Parts> ShapeSource::parts_at(const SymbolicCall& shape, double resolution) const {
+    if (shape.name == "path") return path_parts(shape, resolution);
+    if (shape.name == "text") return text_parts(shape, inputs_, resolution);
+    if (shape.name == "image") {
+        const auto found = image(text_of(shape, "name"));
+        if (!found) return found.diagnostics();
+        return shared(image_parts(shape, **found), found.diagnostics());
+    }
+    if (shape.name == "file") {
+        const auto found = picture(text_of(shape, "name"));
+        if (!found) return found.diagnostics();
+        Shared parts = file_parts(shape, **found, resolution);
+        if (!parts) return parts;
+        return {*parts, found.diagnostics()};
+    }
+    return shared({{built_in_outline(shape, resolution), FillRule::nonzero, true, {}}});
 }
 
 Result<std::shared_ptr<const ShapeOutlines>> ShapeSource::outlines(const SymbolicCall& shape) const {
     using Outlines = Result<std::shared_ptr<const ShapeOutlines>>;
     return once(outlines_, to_text(Value{shape, {}}), [&]() -> Outlines {
-        const Result<Parts> found = parts(shape);
+        Result<Parts> found = parts(shape);
+        if (!found) return found.diagnostics();
+        const double fine = std::max(extent_of(**found) / 1000, 1e-4);
+        if (fine < resolution_) found = parts_at(shape, fine);
         if (!found) return found.diagnostics();
         ShapeOutlines all;
         const bool one_rule = std::all_of((*found)->begin(), (*found)->end(),

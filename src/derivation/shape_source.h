@@ -45,7 +45,7 @@ public:
     using Parts = std::shared_ptr<const std::vector<ShapePart>>;
     Result<Parts> parts(const SymbolicCall& shape) const;
 
-    // The same as outlines of one area.
+    // The same as outlines of one area, fine enough to be enlarged: to a thousandth of its extent.
     Result<std::shared_ptr<const ShapeOutlines>> outlines(const SymbolicCall& shape) const;
 
     Result<std::shared_ptr<const SvgPicture>> picture(const std::string& file) const;
@@ -58,6 +58,7 @@ private:
     template <class T>
     using Memo = std::map<std::string, Result<std::shared_ptr<const T>>>;
 
+    Result<Parts> parts_at(const SymbolicCall& shape, double resolution) const;
     template <class T, class Make>
     Result<std::shared_ptr<const T>> once(Memo<T>& memo, const std::string& key, Make make) const;
 
