@@ -27,7 +27,7 @@ State grown_now(const std::string& text) {
 
 // A random document after a few random edits; null where it reaches a limit.
 State random_state(std::uint64_t seed, std::uint64_t edits) {
-    State state = grown_now(RandomDocument(seed, scale).text());
+    State state = grown_now(RandomDocument(seed, scale * document_scale()).text());
     RandomEdits random(seed * 2 + 1);
     for (std::uint64_t e = 0; e < edits && state; ++e) {
         if (State next = grown_now(random.next(*state).text)) state = next;

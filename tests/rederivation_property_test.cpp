@@ -22,7 +22,7 @@ struct Counts {
 class Rederivation {
 public:
     Rederivation(std::uint64_t seed, Counts& counts) : random_(seed * 2 + 1), edits_(seed * 2), counts_(counts) {
-        text_ = RandomDocument(seed, scale).text();
+        text_ = RandomDocument(seed, scale * document_scale()).text();
     }
 
     // The first difference that an edit makes, with the documents; empty where all are as they should be.
@@ -57,7 +57,8 @@ private:
             if (const auto prefix = grown(earlier_->opened.document.text(), options, serial_)) earlier_ = prefix;
         }
         if (which == 2) {
-            if (const auto other = grown(RandomDocument(seed + 1, scale).text(), {}, serial_)) earlier_ = other;
+            if (const auto other = grown(RandomDocument(seed + 1, scale * document_scale()).text(), {}, serial_))
+                earlier_ = other;
         }
         return &earlier_->run.tangle;
     }
@@ -141,8 +142,8 @@ TEST(RederivationProperty, AWorkspaceGoesBackAndForthToTheSameBytes) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         CaseRandom random(seed);
         RandomEdits edits(seed);
-        Result<Workspace> opened =
-            open_workspace(open_text("random.fil", RandomDocument(seed, scale).text(), {}), {}, serial, {});
+        Result<Workspace> opened = open_workspace(
+            open_text("random.fil", RandomDocument(seed, scale * document_scale()).text(), {}), {}, serial, {});
         ASSERT_TRUE(opened);
         Workspace& workspace = *opened;
         std::vector<std::string> svgs = {svg_of(workspace)};  // of each edit of the history
