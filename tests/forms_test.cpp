@@ -36,7 +36,8 @@ TEST(Forms, EveryKindOfShapeCanBePlaced) {
                                             ", 16, 20, rotation: random) : a -> placed, rest\n");
         EXPECT_EQ(one.ran.status, 0) << shape << one.ran.out;
         EXPECT_EQ(one.ran.out, "") << shape;
-        if (one.ran.status == 0) EXPECT_GT(one.stats["elements"], 20) << shape;
+        ASSERT_EQ(one.ran.status, 0);
+        EXPECT_GT(one.stats["elements"], 20) << shape;
     }
 }
 
@@ -62,7 +63,8 @@ TEST(Forms, CurvesAreDrawnOrDoubleBack) {
             const Grown one = grown(
                 folder, "start a = circle(100)\nregular_split(" + std::string(curve) + ", 15" + dual + ") : a -> b\n");
             EXPECT_EQ(one.ran.status, 0) << curve << one.ran.out;
-            if (one.ran.status == 0) EXPECT_GE(one.stats["elements"], 2) << curve;  // a spiral has two arms
+            ASSERT_EQ(one.ran.status, 0);
+            EXPECT_GE(one.stats["elements"], 2) << curve;  // a spiral has two arms
         }
     }
 }
