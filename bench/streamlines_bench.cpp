@@ -48,29 +48,29 @@ void split(benchmark::State& state, std::string_view name, StreamlineKind kind, 
 constexpr StreamlineKind smooth = StreamlineKind::smooth, strip = StreamlineKind::strip,
                          circular = StreamlineKind::circular;
 BENCHMARK_CAPTURE(split, tile_smooth, "tile", smooth, false, false, 6.2, 7356601660039629067U)
-    ->Unit(benchmark::kMicrosecond);
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(split, tile_field, "tile", smooth, true, false, 6.2, 12506416580736826506U)
-    ->Unit(benchmark::kMicrosecond);
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(split, tile_dual, "tile", smooth, false, true, 6.2, 8582098756177913872U)
-    ->Unit(benchmark::kMicrosecond);
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(split, small_smooth, "small", smooth, false, false, 6.2, 14804062568915844211U)
-    ->Unit(benchmark::kMicrosecond);
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(split, small_smooth_fine, "small", smooth, false, false, 1, 6864707044268099690U)
-    ->Unit(benchmark::kMicrosecond);
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(split, small_strip, "small", strip, false, false, 6.2, 13870390537934467076U)
-    ->Unit(benchmark::kMicrosecond);
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(split, small_field, "small", smooth, true, false, 6.2, 14268081930503628008U)
-    ->Unit(benchmark::kMicrosecond);
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(split, large_smooth, "large", smooth, false, false, 5, 5398267710290686066U)
-    ->Unit(benchmark::kMicrosecond);
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(split, large_smooth_field, "large", smooth, true, false, 5, 8129510086954755689U)
-    ->Unit(benchmark::kMicrosecond);
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(split, large_strip, "large", strip, false, false, 10, 6187772397145748244U)
-    ->Unit(benchmark::kMicrosecond);
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(split, large_strip_field, "large", strip, true, false, 10, 11405781976418655155U)
-    ->Unit(benchmark::kMicrosecond);
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(split, large_circular, "large", circular, false, false, 5, 16347276599575852756U)
-    ->Unit(benchmark::kMicrosecond);
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace filigree
