@@ -3,21 +3,15 @@
 
 #include <cmath>
 
-#include "engines/tangle/derive.h"
 #include "engines/tangle/verify.h"
-#include "session/check.h"
+#include "tests/grown.h"
 
 namespace filigree {
 namespace {
 
 using tangle::Group;
-using tangle::Tangle;
 
-struct Grown {
-    OpenedDocument opened;
-    CheckedDocument checked;
-    Tangle tangle;
-
+struct Grown : GrownDocument {
     // All groups of a tag, in order.
     std::vector<const Group*> groups(std::string_view tag) const {
         std::vector<const Group*> found;
@@ -40,20 +34,7 @@ struct Grown {
     }
 };
 
-std::unique_ptr<Grown> grow(const std::string& rules) {
-    auto grown = std::make_unique<Grown>();
-    grown->opened = open_text("a.fil", "grammar tangle\n" + rules, {});
-    grown->checked = check_document(grown->opened);
-    EXPECT_FALSE(has_errors(grown->checked.diagnostics))
-        << to_text(grown->checked.diagnostics, grown->opened.document.sources);
-    if (has_errors(grown->checked.diagnostics)) return grown;
-    SerialExecutor executor;
-    Result<Tangle> tangle = tangle::derive(*grown->checked.grammar, *grown->checked.start, *grown->checked.settings,
-                                           grown->opened.document, {}, executor, {});
-    EXPECT_TRUE(tangle) << to_text(tangle.diagnostics(), grown->opened.document.sources);
-    if (tangle) grown->tangle = std::move(*tangle);
-    return grown;
-}
+std::unique_ptr<Grown> grow(const std::string& rules) { return grown_document<Grown>(rules); }
 
 TEST(RegularSplit, KeepsTheDistanceAndBothEndsEqual) {
     const auto grown = grow("start a = rectangle(100, 46)\nregular_split(line, 10, angle: 0) : a -> b\n");

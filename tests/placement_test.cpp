@@ -7,10 +7,9 @@
 #include <set>
 
 #include "base/test_cases.h"
-#include "engines/tangle/derive.h"
 #include "engines/tangle/verify.h"
 #include "plane/verify.h"
-#include "session/check.h"
+#include "tests/grown.h"
 
 namespace filigree {
 namespace {
@@ -19,11 +18,7 @@ using tangle::Group;
 using tangle::Shape;
 using tangle::Tangle;
 
-struct Grown {
-    OpenedDocument opened;
-    CheckedDocument checked;
-    Tangle tangle;
-
+struct Grown : GrownDocument {
     std::vector<Shape> shapes(std::string_view tag) const {
         std::vector<Shape> found;
         for (const Group& group : tangle.groups) {
@@ -47,24 +42,7 @@ struct Grown {
     }
 };
 
-std::unique_ptr<Grown> grow(const std::string& rules) {
-    auto grown = std::make_unique<Grown>();
-    grown->opened = open_text("a.fil", "grammar tangle\n" + rules, {});
-    grown->checked = check_document(grown->opened);
-    EXPECT_FALSE(has_errors(grown->checked.diagnostics))
-        << to_text(grown->checked.diagnostics, grown->opened.document.sources);
-    if (has_errors(grown->checked.diagnostics)) return grown;
-    SerialExecutor executor;
-    const Inputs inputs;
-    const ShapeSource forms(inputs, 0.25);
-    tangle::DeriveOptions options;
-    options.shapes = &forms;
-    Result<Tangle> derived = tangle::derive(*grown->checked.grammar, *grown->checked.start, *grown->checked.settings,
-                                            grown->opened.document, options, executor, {});
-    EXPECT_TRUE(derived) << to_text(derived.diagnostics(), grown->opened.document.sources);
-    if (derived) grown->tangle = std::move(*derived);
-    return grown;
-}
+std::unique_ptr<Grown> grow(const std::string& rules) { return grown_document<Grown>(rules); }
 
 void expect_sound(const Grown& grown) {
     EXPECT_EQ(tangle::broken_invariants(grown.tangle), std::vector<std::string>{});
@@ -184,12 +162,7 @@ TEST(Placement, AFormThatEnclosesNothingIsToldOf) {
     const CheckedDocument checked = check_document(opened);
     if (has_errors(checked.diagnostics)) return;
     SerialExecutor executor;
-    const Inputs inputs;
-    const ShapeSource forms(inputs, 0.25);
-    tangle::DeriveOptions options;
-    options.shapes = &forms;
-    const Result<Tangle> derived =
-        tangle::derive(*checked.grammar, *checked.start, *checked.settings, opened.document, options, executor, {});
+    const Result<Tangle> derived = derive_document(opened, checked, {}, executor, {});
     ASSERT_FALSE(derived);
     EXPECT_EQ(derived.diagnostics().front().code, "tangle.empty-form");
 }
@@ -200,8 +173,7 @@ TEST(Placement, TooManyAreRefused) {
     const CheckedDocument checked = check_document(opened);
     ASSERT_FALSE(has_errors(checked.diagnostics));
     SerialExecutor executor;
-    EXPECT_FALSE(
-        tangle::derive(*checked.grammar, *checked.start, *checked.settings, opened.document, {}, executor, {}));
+    EXPECT_FALSE(derive_document(opened, checked, {}, executor, {}));
 }
 
 TEST(Stippling, MarksKeepApartAndOffTheBorder) {

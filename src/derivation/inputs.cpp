@@ -43,13 +43,23 @@ private:
         for (const CallArgument& argument : arguments) look_into(argument.value);
     }
     void look_into(const ExpressionPtr& root) {
+        visit_nodes(root, [&](const Expression& node) {
+            if (const auto* call = std::get_if<CallExpression>(&node.node)) add_file_of(*call);
+            return &node;
+        });
+    }
+
+    // Every node, parents first; below each come the parts of what the visitor gives back for it, if anything.
+    template <class Visitor>
+    static void visit_nodes(const ExpressionPtr& root, Visitor visitor) {
         std::vector<const Expression*> open;
         if (root) open.push_back(root.get());
         while (!open.empty()) {
-            const Expression& expression = *open.back();
+            const Expression* node = open.back();
             open.pop_back();
-            if (const auto* call = std::get_if<CallExpression>(&expression.node)) add_file_of(*call);
-            const std::vector<PlacedExpression> parts = parts_of(expression, {}, true);
+            node = visitor(*node);
+            if (node == nullptr) continue;
+            const std::vector<PlacedExpression> parts = parts_of(*node, {}, true);
             for (auto part = parts.rbegin(); part != parts.rend(); ++part) open.push_back(part->expression);
         }
     }
@@ -67,22 +77,17 @@ private:
 
     // All texts that the expression can come to, such as both of one_of("a.svg", "b.svg").
     void add_texts_in(const ExpressionPtr& root) {
-        std::vector<const Expression*> open, met;
-        if (root) open.push_back(root.get());
-        while (!open.empty()) {
-            const Expression* value = open.back();
-            open.pop_back();
-            if (const auto* name = std::get_if<NameReference>(&value->node)) {
-                const Expression* defined = definition_of(name->name);
-                const bool is_known = std::find(met.begin(), met.end(), defined) != met.end();
-                if (defined == nullptr || is_known) continue;
-                met.push_back(defined);
-                value = defined;
+        std::vector<const Expression*> met;  // definitions, each followed once
+        visit_nodes(root, [&](const Expression& node) -> const Expression* {
+            const Expression* value = &node;
+            if (const auto* name = std::get_if<NameReference>(&node.node)) {
+                value = definition_of(name->name);
+                if (value == nullptr || std::find(met.begin(), met.end(), value) != met.end()) return nullptr;
+                met.push_back(value);
             }
             if (const auto* text = std::get_if<TextLiteral>(&value->node)) add(text->text, value->span);
-            const std::vector<PlacedExpression> parts = parts_of(*value, {}, true);
-            for (auto part = parts.rbegin(); part != parts.rend(); ++part) open.push_back(part->expression);
-        }
+            return value;
+        });
     }
 
     // The argument that names a file, by its name or its place.

@@ -8,16 +8,6 @@ namespace filigree {
 
 namespace {
 
-// A canvas around a box, in whole thousandths, with the usual margin.
-void fit_around(Canvas& canvas, const Box& box, std::optional<double> wanted_margin) {
-    const Vec low = to_px(box.min), high = to_px(box.max);
-    const double margin = wanted_margin.value_or(std::max(2.0, 0.02 * std::max(high.x - low.x, high.y - low.y)));
-    const auto down = [](double px) { return std::floor(px * 1000) / 1000; };
-    const Vec top = high + Vec{margin, margin};
-    canvas.origin = {down(low.x - margin), down(low.y - margin)};
-    canvas.size = {-down(canvas.origin.x - top.x), -down(canvas.origin.y - top.y)};
-}
-
 Polygons rectangle(Vec low, Vec high) {
     Polygons out;
     for (const Vec corner : {low, Vec{high.x, low.y}, high, Vec{low.x, high.y}}) out.points.push_back(snap(corner));
@@ -42,7 +32,7 @@ Result<Drawing> repeated_over_page(const Drawing& motif, const PlaneStart& start
     canvas = motif.canvas;
     Polygons clip;
     if (start.in_host) {
-        fit_around(canvas, box, 0);
+        fit_canvas(canvas, box, 0);
         clip = start.polygons;
     } else if (page.kind == PageStatement::Kind::tile) {
         canvas.size = tile;
@@ -57,7 +47,7 @@ Result<Drawing> repeated_over_page(const Drawing& motif, const PlaneStart& start
             canvas.size = 3 * tile;
             canvas.origin = -0.5 * canvas.size;
         } else {
-            fit_around(canvas, bounds_of_copies(symmetry, start.polygons), page.margin);
+            fit_canvas(canvas, bounds_of_copies(symmetry, start.polygons), page.margin);
         }
     } else {
         canvas.size = {page.width, page.height};

@@ -43,10 +43,6 @@ std::string colour_text(Colour colour) {
     return text;
 }
 
-PolygonView polygon_of(const Drawing& drawing, const DrawnShape& shape) {
-    return (*drawing.geometry[shape.geometry])[shape.polygon];
-}
-
 // The painting operators of a range of shapes. It starts from no known state, so that ranges do not need each other.
 class PieceWriter {
 public:

@@ -76,7 +76,7 @@ private:
         const Style& style = drawing_.styles[shape.style];
         const bool has_stroke = style.stroke.has_value() && style.pen > 0 && std::isfinite(style.pen);
         const double pen = has_stroke ? std::min(style.pen * scale_, farthest) : 0;
-        const PolygonView polygon = (*drawing_.geometry[shape.geometry])[shape.polygon];
+        const PolygonView polygon = polygon_of(drawing_, shape);
         if (polygon.ring_count() == 0 || (!style.fill && !has_stroke)) return;
 
         const Box box = bounds(polygon);

@@ -108,10 +108,6 @@ std::optional<Style> common_style(const Drawing& drawing, const DrawingGroup& gr
     return drawing.styles[*common];
 }
 
-PolygonView polygon_of(const Drawing& drawing, const DrawnShape& shape) {
-    return (*drawing.geometry[shape.geometry])[shape.polygon];
-}
-
 class SvgWriter {
 public:
     SvgWriter(const Drawing& drawing, const SvgOptions& options)

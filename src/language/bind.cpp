@@ -11,10 +11,6 @@ namespace filigree {
 
 namespace {
 
-bool has_name(const ParameterDescription& parameter, std::string_view name) {
-    return parameter.name == name ||
-           std::find(parameter.aliases.begin(), parameter.aliases.end(), name) != parameter.aliases.end();
-}
 bool is_required(const ParameterDescription& parameter) { return parameter.default_text.empty(); }
 std::string quoted(std::string_view name) { return "'" + std::string(name) + "'"; }
 

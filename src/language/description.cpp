@@ -4,6 +4,11 @@
 
 namespace filigree {
 
+bool has_name(const ParameterDescription& parameter, std::string_view name) {
+    return parameter.name == name ||
+           std::find(parameter.aliases.begin(), parameter.aliases.end(), name) != parameter.aliases.end();
+}
+
 const OperatorDescription* find_operator(std::span<const OperatorDescription> operators, std::string_view name) {
     for (const OperatorDescription& description : operators) {
         if (description.name == name) return &description;

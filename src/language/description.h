@@ -42,6 +42,9 @@ struct ParameterDescription {
     bool takes_points = false;  // for `form`
 };
 
+// Whether that is the parameter's name or an alias of it.
+bool has_name(const ParameterDescription& parameter, std::string_view name);
+
 struct PortDescription {
     std::string_view name = {};
     std::string_view help = {};

@@ -12,11 +12,6 @@ namespace filigree {
 
 namespace {
 
-bool has_name(const ParameterDescription& parameter, std::string_view name) {
-    return parameter.name == name ||
-           std::find(parameter.aliases.begin(), parameter.aliases.end(), name) != parameter.aliases.end();
-}
-
 std::string quoted(std::string_view name) { return "'" + std::string(name) + "'"; }
 
 class FormBinder {

@@ -4,19 +4,10 @@
 
 #include <algorithm>
 
+#include "plane/test_rings.h"
+
 namespace filigree {
 namespace {
-
-using Ring = std::vector<Point>;
-
-Polygons polygons_of(const std::vector<Ring>& rings) {
-    Polygons polygons;
-    for (const Ring& ring : rings) {
-        polygons.add_ring(ring);
-        polygons.end_polygon();
-    }
-    return polygons;
-}
 
 TEST(BorderMap, HasEveryVertexAndEdgeOnce) {
     const Polygons squares =

@@ -9,16 +9,13 @@
 #include "plane/curve_cut.h"
 #include "plane/edge_tree.h"
 #include "plane/inner_point.h"
+#include "plane/transform.h"
 
 namespace filigree {
 namespace {
 
 constexpr double most_points = 0x1p22;
 
-Vec unit_at(double degrees) {
-    const elementary::CosSin turn = elementary::cos_sin_degrees(degrees);
-    return {turn.cos, turn.sin};
-}
 double degrees_of(Vec v) { return elementary::atan2(v.y, v.x) * (180 / elementary::pi); }
 
 // An angle as one in [0, 360).
@@ -42,7 +39,8 @@ bool add_curves(std::vector<Polyline>& curves, const Circles& circles, PolygonVi
         Polyline& circle = curves.emplace_back();
         circle.closed = true;
         const double count = corners_of_circle(radius, circles.tolerance);
-        for (double i = 0; i < count; ++i) circle.points.push_back(circles.centre + radius * unit_at(360 * i / count));
+        for (double i = 0; i < count; ++i)
+            circle.points.push_back(circles.centre + radius * unit_at_degrees(360 * i / count));
     }
     return true;
 }
@@ -52,7 +50,7 @@ bool add_curves(std::vector<Polyline>& curves, const Rays& rays, PolygonView sha
     if (rays.curl == 0) {
         const double end = reach.high + 1;
         for (const double degrees : rays.degrees) {
-            const Vec way = unit_at(degrees);
+            const Vec way = unit_at_degrees(degrees);
             curves.push_back({{rays.centre + rays.from * way, rays.centre + end * way}, false});
         }
         return true;
@@ -77,7 +75,8 @@ bool add_curves(std::vector<Polyline>& curves, const Rays& rays, PolygonView sha
     }
     for (const double degrees : rays.degrees) {
         Polyline& ray = curves.emplace_back();
-        for (const double r : distances) ray.points.push_back(rays.centre + r * unit_at(degrees + rays.curl * r));
+        for (const double r : distances)
+            ray.points.push_back(rays.centre + r * unit_at_degrees(degrees + rays.curl * r));
     }
     return true;
 }

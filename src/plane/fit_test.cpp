@@ -4,17 +4,12 @@
 
 #include <cmath>
 
-#include "base/elementary.h"
 #include "base/test_cases.h"
 #include "plane/inset_test_shapes.h"
+#include "plane/transform.h"
 
 namespace filigree {
 namespace {
-
-Vec unit_at(double degrees) {
-    const elementary::CosSin turn = elementary::cos_sin_degrees(degrees);
-    return {turn.cos, turn.sin};
-}
 
 Motif random_motif(CaseRandom& random) {
     switch (random.below(5)) {
@@ -26,7 +21,7 @@ Motif random_motif(CaseRandom& random) {
             return dash_motif(random.between(0.1, 0.5), 8);
         case 3: {
             Polyline star{{}, true};
-            for (int i = 0; i < 10; ++i) star.points.push_back((i % 2 == 0 ? 20.0 : 7.0) * unit_at(36.0 * i));
+            for (int i = 0; i < 10; ++i) star.points.push_back((i % 2 == 0 ? 20.0 : 7.0) * unit_at_degrees(36.0 * i));
             return drawn_motif({star}, FillRule::nonzero, 1e-3);
         }
         default:  // a C and a dot in its middle
@@ -81,7 +76,7 @@ TEST(Fit, NothingOverlapsAndAllLiesInside) {
         while (poses.size() < 30) {
             const Vec at{random.between(-80, 80), random.between(-80, 80)};
             if (locate(region[0], snap(at)) != 1) continue;
-            poses.push_back({at, unit_at(random.between(0, 360)), largest * random.between(0.5, 1)});
+            poses.push_back({at, unit_at_degrees(random.between(0, 360)), largest * random.between(0.5, 1)});
         }
         const std::vector<Pose> before = poses;
         FitOptions options;

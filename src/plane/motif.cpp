@@ -6,6 +6,7 @@
 #include "base/elementary.h"
 #include "base/random.h"
 #include "plane/edge_tree.h"
+#include "plane/transform.h"
 
 namespace filigree {
 
@@ -13,11 +14,6 @@ namespace {
 
 constexpr double drawing_radius = 1024;  // px: where drawn motifs are cleaned
 constexpr double frail = 1e-4;           // of the radius: parts that come nearer to each other make a motif frail
-
-Vec unit_at(double degrees) {
-    const elementary::CosSin turn = elementary::cos_sin_degrees(degrees);
-    return {turn.cos, turn.sin};
-}
 
 void end_ring(Motif& motif) { motif.ring_ends.push_back(static_cast<std::uint32_t>(motif.points.size())); }
 void end_polygon(Motif& motif) { motif.polygon_ends.push_back(static_cast<std::uint32_t>(motif.ring_ends.size())); }
@@ -161,7 +157,7 @@ Motif stroke_motif(const std::vector<Vec>& line, double half_width, int end_corn
     };
     const auto add_end = [&](Vec at, Vec from) {  // half around, without the two ends of the arc
         for (int k = 1; k < end_corners; ++k) {
-            const Vec turn = unit_at(180.0 * k / end_corners);
+            const Vec turn = unit_at_degrees(180.0 * k / end_corners);
             motif.points.push_back(at + turn.x * from + turn.y * perpendicular(from));
         }
     };
@@ -196,7 +192,7 @@ Motif disc_motif(int corners) {
 std::vector<Vec> unit_circle(int corners) {
     std::vector<Vec> circle;
     circle.reserve(static_cast<std::size_t>(corners));
-    for (int i = 0; i < corners; ++i) circle.push_back(unit_at(360.0 * i / corners));
+    for (int i = 0; i < corners; ++i) circle.push_back(unit_at_degrees(360.0 * i / corners));
     return circle;
 }
 
@@ -207,7 +203,7 @@ Motif blob_motif(const std::vector<Vec>& circle, std::uint64_t bits) {
     const double most[waves] = {0.085, 0.045, 0.014};
     for (std::size_t k = 0; k < waves; ++k) {
         const double strength = most[k] * (0.45 + 0.55 * to_unit(mix(bits ^ (2 * k + 1))));
-        wave[k] = strength * unit_at(360 * to_unit(mix(bits ^ (2 * k + 2))));
+        wave[k] = strength * unit_at_degrees(360 * to_unit(mix(bits ^ (2 * k + 2))));
     }
     Motif motif;
     motif.is_round = true;

@@ -7,15 +7,11 @@
 
 #include "base/elementary.h"
 #include "base/test_cases.h"
+#include "plane/transform.h"
 #include "plane/verify.h"
 
 namespace filigree {
 namespace {
-
-Vec unit_at(double degrees) {
-    const elementary::CosSin turn = elementary::cos_sin_degrees(degrees);
-    return {turn.cos, turn.sin};
-}
 
 std::vector<Motif> all_motifs(std::uint64_t bits) {
     return {disc_motif(12),
@@ -48,7 +44,7 @@ TEST(Motif, AllAreCleanAtEverySizeAndInEveryDirection) {
             const double radius = std::pow(10.0, random.between(-2, 4));
             const Vec at{random.between(-1e4, 1e4), random.between(-1e4, 1e4)};
             Polygons polygons;
-            append(polygons, motif, {at, unit_at(random.between(0, 360)), radius});
+            append(polygons, motif, {at, unit_at_degrees(random.between(0, 360)), radius});
             ASSERT_EQ(polygons.size(), 1U);
             EXPECT_EQ(find_flaw(polygons[0]), std::nullopt) << seed;
             for (const Point p : polygons.points) EXPECT_LE(length(to_px(p) - at), radius * (1 + 1e-9) + 1e-7);
@@ -99,12 +95,12 @@ TEST(Motif, DrawnShapesFillTheirSmallestCircle) {
         // No smaller circle holds it: some points lie on it in every half plane.
         for (double angle = 0; angle < 360; angle += 15) {
             EXPECT_TRUE(std::any_of(motif.points.begin(), motif.points.end(),
-                                    [&](Vec p) { return length(p) > 0.99 && dot(p, unit_at(angle)) > -0.05; }))
+                                    [&](Vec p) { return length(p) > 0.99 && dot(p, unit_at_degrees(angle)) > -0.05; }))
                 << "seed " << seed;
         }
         Polygons polygons;
         append(polygons, motif,
-               {{random.between(-99, 99), 3}, unit_at(random.between(0, 360)), random.between(0.05, 300)});
+               {{random.between(-99, 99), 3}, unit_at_degrees(random.between(0, 360)), random.between(0.05, 300)});
         for (std::size_t i = 0; i < polygons.size(); ++i) EXPECT_EQ(find_flaw(polygons[i]), std::nullopt) << seed;
         EXPECT_EQ(find_overlap(polygons), std::nullopt) << seed;
     }
@@ -113,7 +109,7 @@ TEST(Motif, DrawnShapesFillTheirSmallestCircle) {
 TEST(Motif, AStarLiesInItsOwnMiddleAndHolesStay) {
     Polyline star{{}, true};
     for (int i = 0; i < 10; ++i)
-        star.points.push_back(Vec{70, 30} + (i % 2 == 0 ? 20.0 : 8.0) * unit_at(36.0 * i - 90));
+        star.points.push_back(Vec{70, 30} + (i % 2 == 0 ? 20.0 : 8.0) * unit_at_degrees(36.0 * i - 90));
     const Motif motif = drawn_motif({star}, FillRule::nonzero, 1e-4);
     ASSERT_EQ(motif.points.size(), 10U);
     EXPECT_FALSE(motif.is_frail);
@@ -136,7 +132,7 @@ TEST(Motif, AStarLiesInItsOwnMiddleAndHolesStay) {
 
 TEST(Motif, DetailsBelowTheToleranceAreLeftOut) {
     Polyline circle{{}, true};
-    for (int i = 0; i < 5000; ++i) circle.points.push_back(100 * unit_at(360.0 * i / 5000));
+    for (int i = 0; i < 5000; ++i) circle.points.push_back(100 * unit_at_degrees(360.0 * i / 5000));
     EXPECT_LT(drawn_motif({circle}, FillRule::nonzero, 0.01).points.size(), 60U);
     EXPECT_GT(drawn_motif({circle}, FillRule::nonzero, 1e-4).points.size(), 150U);
 }
@@ -150,7 +146,7 @@ TEST(Motif, PartsThatTouchAreCleanedWhereTheyArePlaced) {
         EXPECT_TRUE(motif.is_frail);
         for (double angle = 0; angle < 90; angle += 7) {
             Polygons polygons;
-            append(polygons, motif, {{31, 17}, unit_at(angle), 0.3});
+            append(polygons, motif, {{31, 17}, unit_at_degrees(angle), 0.3});
             for (std::size_t i = 0; i < polygons.size(); ++i) EXPECT_EQ(find_flaw(polygons[i]), std::nullopt);
             EXPECT_EQ(find_overlap(polygons), std::nullopt);
         }

@@ -9,22 +9,13 @@
 
 #include "base/test_cases.h"
 #include "plane/edge_tree.h"
+#include "plane/test_rings.h"
 #include "plane/verify.h"
 #include "plane/weld.h"
 
 namespace filigree {
 namespace {
 
-using Ring = std::vector<Point>;
-
-Polygons polygons_of(const std::vector<Ring>& rings) {
-    Polygons polygons;
-    for (const Ring& ring : rings) {
-        polygons.add_ring(ring);
-        polygons.end_polygon();
-    }
-    return polygons;
-}
 Ring rectangle(double x, double y, double width, double height) {
     return {snap({x, y}), snap({x + width, y}), snap({x + width, y + height}), snap({x, y + height})};
 }

@@ -7,6 +7,7 @@
 #include "base/test_cases.h"
 #include "plane/edge_tree.h"
 #include "plane/inset_test_shapes.h"
+#include "plane/test_rings.h"
 
 namespace filigree {
 namespace {
@@ -48,13 +49,7 @@ TEST(RegionRaster, KnowsHowFarTheBorderIs) {
 TEST(RegionRaster, DoesNotDependOnRingsOrOnWhatIsFarAway) {
     CaseRandom random(9);
     const Polygons region = test_shapes::wobbly_shape(random, 100, 60, 6);
-    Polygons turned = region;
-    std::size_t first = 0;
-    for (const std::uint32_t end : region.ring_ends) {
-        std::rotate(turned.points.begin() + static_cast<std::ptrdiff_t>(first),
-                    turned.points.begin() + static_cast<std::ptrdiff_t>(first + 2), turned.points.begin() + end);
-        first = end;
-    }
+    const Polygons turned = with_rings_turned(region);
     const auto a = RegionRaster::of(region[0], 3, 1U << 20), b = RegionRaster::of(turned[0], 3, 1U << 20);
     for (std::uint32_t i = 0; i < a->size(); ++i) EXPECT_EQ(a->border(i), b->border(i));
 

@@ -9,6 +9,7 @@
 
 #include "base/test_cases.h"
 #include "plane/inset_test_shapes.h"
+#include "plane/test_rings.h"
 
 namespace filigree {
 namespace {
@@ -93,13 +94,7 @@ TEST(Scatter, IsAsDenseAsRandomPointsGet) {
 TEST(Scatter, DoesNotDependOnWhereRingsStart) {
     CaseRandom random(9);
     const Polygons region = test_shapes::wobbly_shape(random, 100, 60, 6);
-    Polygons turned = region;
-    std::size_t first = 0;
-    for (const std::uint32_t end : region.ring_ends) {
-        std::rotate(turned.points.begin() + static_cast<std::ptrdiff_t>(first),
-                    turned.points.begin() + static_cast<std::ptrdiff_t>(first + 2), turned.points.begin() + end);
-        first = end;
-    }
+    const Polygons turned = with_rings_turned(region);
     const auto a = scattered(region, 4, 1);
     const auto b = scattered(turned, 4, 1);
     ASSERT_EQ(a.size(), b.size());

@@ -9,6 +9,7 @@
 #include "base/test_cases.h"
 #include "plane/edge_tree.h"
 #include "plane/inset_test_shapes.h"
+#include "plane/test_rings.h"
 
 namespace filigree {
 namespace {
@@ -135,13 +136,7 @@ TEST(Spread, DoesNotDependOnWhereRingsStart) {
     for (std::uint64_t seed = 0; seed < count; ++seed) {
         CaseRandom random(seed);
         const Polygons region = test_shapes::wobbly_shape(random, 100, 60, 6);
-        Polygons turned = region;
-        std::size_t first = 0;
-        for (const std::uint32_t end : region.ring_ends) {
-            std::rotate(turned.points.begin() + static_cast<std::ptrdiff_t>(first),
-                        turned.points.begin() + static_cast<std::ptrdiff_t>(first + 2), turned.points.begin() + end);
-            first = end;
-        }
+        const Polygons turned = with_rings_turned(region);
         const auto a = spread(region[0], options_for(7, seed)), b = spread(turned[0], options_for(7, seed));
         ASSERT_EQ(a.size(), b.size());
         for (std::size_t i = 0; i < a.size(); ++i) {

@@ -13,6 +13,11 @@ double tan_degrees(double angle) {
 
 }  // namespace
 
+Vec unit_at_degrees(double angle) {
+    const elementary::CosSin turn = elementary::cos_sin_degrees(angle);
+    return {turn.cos, turn.sin};
+}
+
 Transform rotation_degrees(double angle) {
     const elementary::CosSin turn = elementary::cos_sin_degrees(angle);
     return {turn.cos, turn.sin, -turn.sin, turn.cos, 0, 0};

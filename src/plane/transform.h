@@ -29,6 +29,7 @@ constexpr bool is_similarity(const Transform& t) { return (t.a == t.d && t.b == 
 
 constexpr Transform translation(Vec by) { return {1, 0, 0, 1, by.x, by.y}; }
 constexpr Transform scaling(double x, double y) { return {x, 0, 0, y, 0, 0}; }
+Vec unit_at_degrees(double angle);         // from +x towards +y, as all angles
 Transform rotation_degrees(double angle);  // from +x towards +y
 // As SVG's skewX and skewY together: x' = x + y tan(x_angle), y' = y + x tan(y_angle). Not finite at 90 degrees.
 Transform skew_degrees(double x_angle, double y_angle);

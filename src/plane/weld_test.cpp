@@ -10,22 +10,14 @@
 #include "base/test_cases.h"
 #include "plane/verify.h"
 
+#include "plane/test_rings.h"
+
 namespace filigree {
 namespace {
 
 constexpr std::int64_t px = std::int64_t{1} << 26;
 constexpr double tolerance = 0x1p-22;  // px; 16 grid units
 
-using Ring = std::vector<Point>;
-
-Polygons polygons_of(const std::vector<Ring>& rings) {
-    Polygons polygons;
-    for (const Ring& ring : rings) {
-        polygons.add_ring(ring);
-        polygons.end_polygon();
-    }
-    return polygons;
-}
 Ring ring_of(const Polygons& polygons, std::size_t i) {
     const RingView ring = polygons[i].outer();
     return {ring.begin(), ring.end()};

@@ -80,8 +80,7 @@ private:
     }
 
     PolygonView polygon_of(const HandShape& shape) const {
-        const DrawnShape& drawn = drawing_.shapes[shape.shape];
-        return (*drawing_.geometry[drawn.geometry])[drawn.polygon];
+        return filigree::polygon_of(drawing_, drawing_.shapes[shape.shape]);
     }
 
     // --- where things stand ---

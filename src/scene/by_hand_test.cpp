@@ -57,9 +57,6 @@ struct Page {
     }
 };
 
-PolygonView polygon_of(const Drawing& drawing, const DrawnShape& shape) {
-    return (*drawing.geometry[shape.geometry])[shape.polygon];
-}
 // The strokes among what is painted, as shapes without the keys of the page.
 std::vector<DrawnShape> strokes_of(const Drawing& drawing) {
     std::vector<DrawnShape> strokes;

@@ -60,7 +60,7 @@ bool reaches_beyond(const Drawing& drawing, double scale) {
     const Canvas& canvas = drawing.canvas;
     const Vec end = canvas.origin + canvas.size;
     return std::any_of(drawing.shapes.begin(), drawing.shapes.end(), [&](const DrawnShape& shape) {
-        const Box box = bounds((*drawing.geometry[shape.geometry])[shape.polygon]);
+        const Box box = bounds(filigree::polygon_of(drawing, shape));
         const double pen = drawn_pen(drawing.styles[shape.style], scale) / scale / 2;
         const Vec min = to_px(box.min), max = to_px(box.max);
         return min.x - pen < canvas.origin.x || min.y - pen < canvas.origin.y || max.x + pen > end.x ||

@@ -1,8 +1,20 @@
 #include "scene/drawing.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace filigree {
+
+void fit_canvas(Canvas& canvas, const Box& box, std::optional<double> margin) {
+    const Vec low = to_px(box.min), high = to_px(box.max);
+    const double around = margin.value_or(std::max(2.0, 0.02 * std::max(high.x - low.x, high.y - low.y)));
+    const auto down = [](double px) { return std::floor(px * 1000) / 1000; };
+    const Vec top = high + Vec{around, around};
+    canvas.origin = {down(low.x - around), down(low.y - around)};
+    canvas.size = {-down(canvas.origin.x - top.x), -down(canvas.origin.y - top.y)};
+}
+
 namespace {
 
 struct Place {

@@ -59,6 +59,14 @@ struct Drawing {
     std::vector<DrawingGroup> groups;  // [0] is the root; a child stands after its parent
 };
 
+inline PolygonView polygon_of(const Drawing& drawing, const DrawnShape& shape) {
+    return (*drawing.geometry[shape.geometry])[shape.polygon];
+}
+
+// Lays the canvas around a box with a margin in px (without one, a little), in whole thousandths of a px, which read
+// better in files than the grid's fractions.
+void fit_canvas(Canvas& canvas, const Box& box, std::optional<double> margin);
+
 // One step of painting a drawing, as a walk over its groups.
 struct PaintStep {
     enum class Kind : std::uint8_t { enter, shapes, leave };

@@ -43,10 +43,6 @@ Drawing drawing_of(Polygons polygons, const Style& style) {
     return drawing;
 }
 
-PolygonView polygon_of(const Drawing& drawing, const DrawnShape& shape) {
-    return (*drawing.geometry[shape.geometry])[shape.polygon];
-}
-
 // Triangles or quadrangles that share their corners and cover a polygon of three or four corners; those on its sides
 // are rounded to the grid beside them.
 Polygons cut_finely(PolygonView domain, CaseRandom& random) {

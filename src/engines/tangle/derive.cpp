@@ -66,8 +66,8 @@ public:
           executor_(executor),
           element_limit_(std::min(settings.limits.elements, options.element_budget.value_or(UINT64_MAX))),
           walk_(begin_walk(options.site, document, settings.globals, settings.seed)),
-          reads_(std::make_shared<Reads>(reads_of(grammar, start, settings, document, walk_,
-                                                  options.shapes != nullptr ? options.shapes->fingerprint() : 0))),
+          reads_(std::make_shared<Reads>(
+              reads_of(grammar, start, settings, document, walk_, options.shapes->fingerprint()))),
           previous_(options.previous, *reads_) {
         for (const Rule& rule : grammar.rules) per_shape_.push_back(has_per_shape_arguments(rule));
         tangle_.met.resize(walk_.presets.all.size());
@@ -349,9 +349,9 @@ private:
     std::uint64_t element_budget() const { return element_limit_ - std::min(element_limit_, elements_); }
 
     void run_operator(const Group& group, const Rule& rule, Executor& executor, Expansion& expansion) const {
-        Result<OperatorOutput> output = rule.op->run({tangle_, group.shapes, expansion.arguments, expansion.scatter,
-                                                      expansion.key, settings_.resolution, element_budget(), executor,
-                                                      options_.shapes != nullptr ? *options_.shapes : no_shapes_});
+        Result<OperatorOutput> output =
+            rule.op->run({tangle_, group.shapes, expansion.arguments, expansion.scatter, expansion.key,
+                          settings_.resolution, element_budget(), executor, *options_.shapes});
         if (output) {
             expansion.output = std::move(*output);
             return;
@@ -621,8 +621,6 @@ private:
     Executor& executor_;
     const std::uint64_t element_limit_;
     mutable SerialExecutor serial_;
-    const Inputs no_inputs_;
-    const ShapeSource no_shapes_{no_inputs_, 0.1};
     const PresetWalk walk_;
     const std::shared_ptr<const Reads> reads_;
     const Previous previous_;

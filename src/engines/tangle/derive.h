@@ -26,7 +26,7 @@ struct DeriveOptions {
     const Tangle* previous = nullptr;             // of an earlier state of the document
     DocumentSite site;                            // inside a shape of another document, or on its own
     EmbedFunction embed;                          // must be given if a rule embeds
-    const ShapeSource* shapes = nullptr;          // must be given if an argument is a form
+    const ShapeSource* shapes = nullptr;          // what forms mean; must be given
     std::optional<std::uint64_t> element_budget;  // where it is less than the document's own limit
 };
 

@@ -311,12 +311,7 @@ Canvas canvas_of(const Tangle& tangle, const Settings& settings, const Document&
     const Unit unit = document.units.empty() ? Unit::px : document.units[0];
     canvas.in_mm = settings.page.in_mm || unit == Unit::mm || unit == Unit::cm || unit == Unit::m;
     if (settings.page.kind == PageStatement::Kind::fit) {
-        const double margin = settings.page.margin.value_or(std::max(2.0, 0.02 * std::max(extent.x, extent.y)));
-        // Whole thousandths read better in files than the grid's fractions.
-        const auto down = [](double px) { return std::floor(px * 1000) / 1000; };
-        const Vec top = high + Vec{margin, margin};
-        canvas.origin = {down(low.x - margin), down(low.y - margin)};
-        canvas.size = {-down(canvas.origin.x - top.x), -down(canvas.origin.y - top.y)};
+        fit_canvas(canvas, box, settings.page.margin);
         return canvas;
     }
     canvas.size = {settings.page.width, settings.page.height};

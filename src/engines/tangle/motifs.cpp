@@ -5,14 +5,10 @@
 
 #include "base/elementary.h"
 #include "engines/tangle/orientation.h"
+#include "plane/transform.h"
 
 namespace filigree::tangle {
 namespace {
-
-Vec unit_at(double degrees) {
-    const elementary::CosSin turn = elementary::cos_sin_degrees(degrees);
-    return {turn.cos, turn.sin};
-}
 
 // Looks farther and farther until there is something.
 Vec along_border(const EdgeTree& border, Vec at, Vec otherwise) {
@@ -61,7 +57,7 @@ Result<DrawnMotifs> DrawnMotifs::of(const OperatorInput& input, std::string_view
 Vec copy_direction(const Value& value, const Shape& shape, PolygonView polygon, const EdgeTree& border, Vec at,
                    std::uint64_t bits) {
     if (const auto* word = std::get_if<Symbol>(&value.data)) {
-        if (word->name == "random") return unit_at(360 * to_unit(mix(bits ^ hash_text("rotation"))));
+        if (word->name == "random") return unit_at_degrees(360 * to_unit(mix(bits ^ hash_text("rotation"))));
         if (word->name == "along") return along_border(border, at, shape.direction);
     }
     if (const auto* call = std::get_if<SymbolicCall>(&value.data); call != nullptr && call->name == "towards") {

@@ -1,14 +1,10 @@
 #include "engines/tangle/orientation.h"
 
 #include "base/elementary.h"
+#include "plane/transform.h"
 
 namespace filigree::tangle {
 namespace {
-
-Vec unit_at(double degrees) {
-    const elementary::CosSin turn = elementary::cos_sin_degrees(degrees);
-    return {turn.cos, turn.sin};
-}
 
 // The principal axis of the area inside the outer ring, by its second moments.
 Vec principal_axis(PolygonView polygon) {
@@ -26,18 +22,18 @@ Vec principal_axis(PolygonView polygon) {
         }
     }
     if (xx == yy && xy == 0) return {1, 0};
-    return unit_at(elementary::atan2(2 * xy, xx - yy) / 2 * 180 / elementary::pi);
-}
-
-Vec turned(Vec direction, double degrees) {
-    const Vec by = unit_at(degrees);
-    return {direction.x * by.x - direction.y * by.y, direction.x * by.y + direction.y * by.x};
+    return unit_at_degrees(elementary::atan2(2 * xy, xx - yy) / 2 * 180 / elementary::pi);
 }
 
 }  // namespace
 
+Vec turned_by(Vec direction, double degrees) {
+    const Vec by = unit_at_degrees(degrees);
+    return {direction.x * by.x - direction.y * by.y, direction.x * by.y + direction.y * by.x};
+}
+
 Vec direction_of(const Value& value, const Shape& shape, PolygonView polygon) {
-    if (const auto* angle = std::get_if<Quantity>(&value.data)) return unit_at(angle->value);
+    if (const auto* angle = std::get_if<Quantity>(&value.data)) return unit_at_degrees(angle->value);
     if (const auto* word = std::get_if<Symbol>(&value.data)) {
         if (word->name == "across") return perpendicular(shape.direction);
         if (word->name == "axis") return principal_axis(polygon);
@@ -45,7 +41,7 @@ Vec direction_of(const Value& value, const Shape& shape, PolygonView polygon) {
     }
     const auto& call = std::get<SymbolicCall>(value.data);
     const Value& argument = call.arguments.front().value;
-    if (call.name == "turn") return turned(shape.direction, std::get<Quantity>(argument.data).value);
+    if (call.name == "turn") return turned_by(shape.direction, std::get<Quantity>(argument.data).value);
     const Vec towards = std::get<Vec>(argument.data) - centroid(polygon);
     const double distance = length(towards);
     return distance > 0 ? towards * (1 / distance) : shape.direction;

@@ -13,4 +13,7 @@ namespace filigree::tangle {
 //   towards   from the shape's centroid towards a point
 Vec direction_of(const Value& value, const Shape& shape, PolygonView polygon);
 
+// A direction turned by an angle, from x towards y.
+Vec turned_by(Vec direction, double degrees);
+
 }  // namespace filigree::tangle

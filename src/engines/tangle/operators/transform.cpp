@@ -4,7 +4,6 @@
 // A shape stays inside where it was: what would leave it is cut off, and what it uncovers is the remainder, so that the
 // pieces still partition the plane.
 #include "plane/transform.h"
-#include "base/elementary.h"
 #include "engines/tangle/operators/operators.h"
 #include "engines/tangle/orientation.h"
 #include "plane/clean.h"
@@ -39,11 +38,7 @@ Result<OperatorOutput> run(const OperatorInput& input) {
         const auto add = [&](Port port, const Polygons& pieces) {
             for (std::size_t i = 0; i < pieces.size(); ++i) {
                 Shape piece = piece_of(shape, input.step, fold(port, i), batch.geometry.size());
-                if (port == shapes_port) {
-                    const elementary::CosSin by_turn = elementary::cos_sin_degrees(turn);
-                    const Vec d = shape.direction;
-                    piece.direction = {d.x * by_turn.cos - d.y * by_turn.sin, d.x * by_turn.sin + d.y * by_turn.cos};
-                }
+                if (port == shapes_port) piece.direction = turned_by(shape.direction, turn);
                 batch.ports[port].push_back(piece);
                 batch.geometry.add(pieces[i]);
             }
