@@ -1,15 +1,9 @@
 #include "plane/crossings.h"
 
 #include <algorithm>
-#include <array>
-#include <utility>
-
-#include "plane/edge_tree.h"
 
 namespace filigree {
 namespace {
-
-constexpr std::size_t few = 20;  // links that are compared each with each
 
 // Whether segments without a common end meet; their boxes must.
 bool do_meet(Point a, Point b, Point c, Point d) {
@@ -23,10 +17,6 @@ bool leave_in_one_direction(Point from, Point a, Point b) {
     if (orientation(from, a, b) != 0) return false;
     const auto sign = [](std::int64_t v) { return v > 0 ? 1 : v < 0 ? -1 : 0; };
     return sign(a.x - from.x) == sign(b.x - from.x) && sign(a.y - from.y) == sign(b.y - from.y);
-}
-
-Box box_of(Point a, Point b) {
-    return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
 
 }  // namespace
@@ -108,31 +98,9 @@ void CrossingFinder::look_at_pinches(std::span<const DirectedLink> links, std::s
 void CrossingFinder::find(std::span<const DirectedLink> links, std::span<const Point> at,
                           std::vector<std::uint32_t>& found) {
     pinches_.clear();
-    if (links.size() <= few) {
-        boxes_.clear();
-        for (const DirectedLink& link : links) boxes_.push_back(box_of(at[link.from], at[link.to]));
-        for (std::size_t i = 0; i < links.size(); ++i) {
-            for (std::size_t j = i + 1; j < links.size(); ++j) {
-                if (overlaps(boxes_[i], boxes_[j])) look_at(links[i], links[j], at, found);
-            }
-        }
-    } else {
-        const Point origin = at[links[0].from];
-        std::vector<Edge> edges;
-        edges.reserve(links.size());
-        for (const DirectedLink& link : links) {
-            edges.push_back({to_px(at[link.from], origin), to_px(at[link.to], origin)});
-        }
-        const EdgeTree tree(std::move(edges));
-        for (std::size_t first = 0; first < links.size(); first += 4) {
-            const std::size_t count = std::min<std::size_t>(4, links.size() - first);
-            tree.any_near(std::span(tree.edges()).subspan(first, count), 0, static_cast<std::uint32_t>(first),
-                          [&](std::size_t which, std::uint32_t other) {
-                              if (other > first + which) look_at(links[first + which], links[other], at, found);
-                              return false;
-                          });
-        }
-    }
+    pairs_.clear();
+    for (const DirectedLink& link : links) pairs_.add(at[link.from], at[link.to]);
+    pairs_.for_each([&](std::uint32_t i, std::uint32_t j) { look_at(links[i], links[j], at, found); });
     if (!pinches_.empty()) look_at_pinches(links, at, found);
 }
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "plane/point.h"
+#include "plane/edge_pairs.h"
 
 namespace filigree {
 
@@ -30,7 +30,7 @@ private:
                          std::vector<std::uint32_t>& found);
 
     std::vector<std::uint32_t> pinches_;  // vertices that are left more than once
-    std::vector<Box> boxes_;
+    EdgePairs pairs_;
 };
 
 }  // namespace filigree

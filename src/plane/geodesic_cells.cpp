@@ -35,7 +35,9 @@ void GeodesicCells::assign(std::span<const Vec> sites) {
             if (distance >= distances_[cell]) return;
             distances_[cell] = distance;
             owners_[cell] = site;
-            waiting_[distance % 32].push_back(cell);
+            Cells& waiting = waiting_[distance % 32];
+            *waiting.end_with_room_for(1) = cell;
+            ++waiting.count;
         };
         start(home, 0, 0);
         constexpr std::array<int, 8> columns{-1, 1, 0, 0, -1, 1, -1, 1}, rows{0, 0, -1, 1, -1, -1, 1, 1};
@@ -51,20 +53,17 @@ void GeodesicCells::spread() {
     const std::array<std::uint32_t, 8> around = around_;
     std::uint32_t idle = 0;
     for (std::uint32_t distance = 0; idle < 32 && distance < farthest; ++distance) {
-        std::vector<std::uint32_t>& now = waiting_[distance % 32];
-        idle = now.empty() ? idle + 1 : 0;
-        if (now.empty()) continue;
+        Cells& now = waiting_[distance % 32];
+        idle = now.count == 0 ? idle + 1 : 0;
+        if (now.count == 0) continue;
         // Room for whatever may come, so that nothing is asked where something is put.
-        std::vector<std::uint32_t>& straight = waiting_[(distance + RegionRaster::step) % 32];
-        std::vector<std::uint32_t>& across = waiting_[(distance + RegionRaster::corner_step) % 32];
-        const std::size_t straight_size = straight.size(), across_size = across.size();
-        straight.resize(straight_size + 4 * now.size());
-        across.resize(across_size + 4 * now.size());
-        std::uint32_t* straight_end = straight.data() + straight_size;
-        std::uint32_t* across_end = across.data() + across_size;
+        Cells& straight = waiting_[(distance + RegionRaster::step) % 32];
+        Cells& across = waiting_[(distance + RegionRaster::corner_step) % 32];
+        std::uint32_t* straight_end = straight.end_with_room_for(4 * now.count);
+        std::uint32_t* across_end = across.end_with_room_for(4 * now.count);
         const auto straight_way = static_cast<std::uint16_t>(distance + RegionRaster::step);
         const auto across_way = static_cast<std::uint16_t>(distance + RegionRaster::corner_step);
-        for (const std::uint32_t cell : now) {
+        for (const std::uint32_t cell : std::span(now.room).first(now.count)) {
             if (distances[cell] != distance) continue;
             const std::uint32_t site = owners[cell];
             for (std::size_t k = 0; k < 4; ++k) {
@@ -82,11 +81,11 @@ void GeodesicCells::spread() {
                 *across_end++ = next;
             }
         }
-        straight.resize(static_cast<std::size_t>(straight_end - straight.data()));
-        across.resize(static_cast<std::size_t>(across_end - across.data()));
-        now.clear();
+        straight.end_at(straight_end);
+        across.end_at(across_end);
+        now.count = 0;
     }
-    for (std::vector<std::uint32_t>& left : waiting_) left.clear();
+    for (Cells& left : waiting_) left.count = 0;
 }
 
 void GeodesicCells::sum_up(std::size_t count) {

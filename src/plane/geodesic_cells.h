@@ -41,6 +41,18 @@ private:
     struct Sum {
         std::int64_t weight = 0, x = 0, y = 0;
     };
+    // A list that keeps its room: what is once made is never filled with zeros again.
+    struct Cells {
+        std::vector<std::uint32_t> room;
+        std::size_t count = 0;
+
+        // Where up to `more` can be put behind them.
+        std::uint32_t* end_with_room_for(std::size_t more) {
+            if (room.size() < count + more) room.resize(2 * (count + more));
+            return room.data() + count;
+        }
+        void end_at(const std::uint32_t* end) { count = static_cast<std::size_t>(end - room.data()); }
+    };
     void spread();
     void sum_up(std::size_t count);
     Vec moved(std::uint32_t site, Vec from, double eagerness);
@@ -51,8 +63,8 @@ private:
     std::span<const std::uint16_t> weights_;
     std::array<std::uint32_t, 8> around_;  // neighbours' indices less one's own, modulo 2^32
     std::vector<std::uint32_t> owners_;
-    std::vector<std::uint16_t> distances_;                // 0 outside, so that nothing ever spreads there
-    std::array<std::vector<std::uint32_t>, 32> waiting_;  // cells by their distance modulo 32
+    std::vector<std::uint16_t> distances_;  // 0 outside, so that nothing ever spreads there
+    std::array<Cells, 32> waiting_;         // by their distance modulo 32
     std::vector<Sum> sums_;
     std::vector<std::uint32_t> steps_;  // of farthest_from, one a cell, 0 while it has not come there
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plane/edge_pairs.h"
+
 namespace filigree {
 
 namespace {
@@ -69,71 +71,13 @@ void find_cuts(std::vector<Cut>& cuts, const std::vector<WeightedEdge>& edges, s
     if (f_high == 0 && e.low < f.high && f.high < e.high) cuts.push_back({i, f.high});
 }
 
-// All pairs whose boxes overlap, by a binary tree of boxes over the edges in their order: neighbours along a
-// ring are near each other in the plane.
-class PairSearch {
-public:
-    explicit PairSearch(const std::vector<WeightedEdge>& edges) : edges_(edges) {
-        while (leaves_ * leaf_size < edges.size()) leaves_ *= 2;
-        boxes_.resize(2 * leaves_);
-        for (std::size_t i = 0; i < edges.size(); ++i) {
-            Box& box = boxes_[leaves_ + i / leaf_size];
-            box = united(box, box_of(edges[i].at));
-        }
-        for (std::size_t node = leaves_; node-- > 1;) {
-            for (const Box& child : {boxes_[2 * node], boxes_[2 * node + 1]}) {
-                if (!is_empty(child)) boxes_[node] = united(boxes_[node], child);
-            }
-        }
-    }
-
-    std::vector<Cut> all_cuts() {
-        within(1);
-        return std::move(cuts_);
-    }
-
-private:
-    static constexpr std::size_t leaf_size = 4;
-
-    std::size_t leaf_begin(std::size_t node) const { return (node - leaves_) * leaf_size; }
-    std::size_t leaf_end(std::size_t node) const { return std::min(leaf_begin(node) + leaf_size, edges_.size()); }
-
-    void try_pair(std::size_t i, std::size_t j) {
-        if (!overlaps(box_of(edges_[i].at), box_of(edges_[j].at))) return;
-        find_cuts(cuts_, edges_, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
-    }
-    void within(std::size_t node) {
-        if (is_empty(boxes_[node])) return;
-        if (node < leaves_) {
-            within(2 * node);
-            within(2 * node + 1);
-            between(2 * node, 2 * node + 1);
-            return;
-        }
-        for (std::size_t i = leaf_begin(node); i < leaf_end(node); ++i) {
-            for (std::size_t j = i + 1; j < leaf_end(node); ++j) try_pair(i, j);
-        }
-    }
-    void between(std::size_t a, std::size_t b) {  // both on one level
-        if (!overlaps(boxes_[a], boxes_[b])) return;
-        if (a < leaves_) {
-            between(2 * a, 2 * b);
-            between(2 * a, 2 * b + 1);
-            between(2 * a + 1, 2 * b);
-            between(2 * a + 1, 2 * b + 1);
-            return;
-        }
-        for (std::size_t i = leaf_begin(a); i < leaf_end(a); ++i) {
-            if (!overlaps(box_of(edges_[i].at), boxes_[b])) continue;
-            for (std::size_t j = leaf_begin(b); j < leaf_end(b); ++j) try_pair(i, j);
-        }
-    }
-
-    const std::vector<WeightedEdge>& edges_;
-    std::size_t leaves_ = 1;
-    std::vector<Box> boxes_;  // a heap: node n has the children 2n and 2n + 1
-    std::vector<Cut> cuts_;
-};
+std::vector<Cut> all_cuts(const std::vector<WeightedEdge>& edges) {
+    EdgePairs pairs;
+    for (const WeightedEdge& edge : edges) pairs.add(edge.at.low, edge.at.high);
+    std::vector<Cut> cuts;
+    pairs.for_each([&](std::uint32_t i, std::uint32_t j) { find_cuts(cuts, edges, i, j); });
+    return cuts;
+}
 
 void append_edge(std::vector<WeightedEdge>& edges, Point from, Point to, Winding weight) {
     if (from < to) edges.push_back({{from, to}, weight});
@@ -239,7 +183,7 @@ void append_edges(std::vector<WeightedEdge>& edges, RingView ring, Winding weigh
 void node_edges(std::vector<WeightedEdge>& edges, bool parity) {
     for (int round = 1;; ++round) {
         merge_equal_edges(edges, parity);
-        std::vector<Cut> cuts = PairSearch(edges).all_cuts();
+        std::vector<Cut> cuts = all_cuts(edges);
         if (cuts.empty()) return;
         sort_cuts(cuts, edges);
         edges = cut_edges(edges, cuts);
