@@ -41,6 +41,19 @@ TEST(Forms, EveryKindOfShapeCanBePlaced) {
     }
 }
 
+TEST(Forms, RangesAreWholeWhereTheParameterIs) {
+    const TestFolder folder;
+    for (const char* shape : {"star(5..8, 10, 4)", "star(points: 5..8, outer: 10, inner: 4)",
+                              "one_of(star(3..4, 8..10, 4), polygon(3..6, 8))"}) {
+        const Grown one =
+            grown(folder, "start a = circle(90)\nplace(" + std::string(shape) + ", 20, 25) : a -> placed, rest\n");
+        EXPECT_EQ(one.ran.status, 0) << shape << one.ran.out;
+    }
+    const Grown empty = grown(folder, "start a = circle(90)\nplace(star(5.2..5.8, 10, 4), 20, 25) : a -> b, c\n");
+    EXPECT_EQ(empty.ran.status, 1);
+    EXPECT_NE(empty.ran.out.find("language.empty-range"), std::string::npos) << empty.ran.out;
+}
+
 TEST(Forms, FilesAreFoundThroughNamesAndChoices) {
     const TestFolder folder;
     std::filesystem::copy(starts + "leaf_motif.svg", folder / "one.svg");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "language/description.h"
 #include "language/evaluator.h"
 #include "language/functions.h"
 #include "language/names.h"
@@ -10,6 +11,21 @@
 namespace filigree {
 
 using Maybe = std::optional<Value>;
+
+namespace {
+
+// Whether an argument of a form is a whole number.
+bool is_whole(const OperatorDescription& form, const CallArgument& argument, std::size_t positional) {
+    if (!argument.key) {
+        return positional < form.parameters.size() && form.parameters[positional].type == ParameterType::whole;
+    }
+    const std::string& name = std::get<NameReference>(argument.key->node).name;
+    return std::any_of(form.parameters.begin(), form.parameters.end(), [&](const ParameterDescription& parameter) {
+        return parameter.type == ParameterType::whole && has_name(parameter, name);
+    });
+}
+
+}  // namespace
 
 std::optional<Value> Evaluator::value(const Expression& expression, Place place) {
     if (depth_ >= max_evaluation_depth) {
@@ -218,8 +234,12 @@ Maybe Evaluator::symbolic(const Expression& expression, const CallExpression& ca
     SymbolicCall result{call.name, {}};
     Place argument_place = operand_place(place);
     argument_place.result = argument_place.symbols = bare_words_in_calls(at_);
+    const OperatorDescription* form = at_.forms == nullptr ? nullptr : find_operator(*at_.forms, call.name);
+    std::size_t positional = 0;
     bool complete = true;
     for (const CallArgument& argument : call.arguments) {
+        argument_place.whole = form != nullptr && is_whole(*form, argument, positional);
+        if (!argument.key) ++positional;
         Maybe found = part(argument.value, argument_place, expression);
         complete = complete && found;
         if (!complete) continue;

@@ -35,6 +35,7 @@ struct Scope {
 };
 
 struct ChoiceMaking;
+struct OperatorDescription;
 
 struct ChoiceAddress {
     Key key = {};
@@ -63,6 +64,8 @@ struct Evaluation {
     // Names of calls that are no functions and are kept as SymbolicCall; "*": any, with bare words as arguments.
     std::vector<std::string_view> calls = {};
     bool words_in_calls = false;            // whether such calls take bare words as arguments in any case
+    // Describes such calls, so that ranges are whole where their parameters are; null: nothing is known of them.
+    const std::vector<OperatorDescription>* forms = nullptr;
     bool whole = false;                     // ranges are drawn as whole numbers, both ends included
     const ChoiceMaking* choices = nullptr;  // null: drawn at random and not recorded
 };

@@ -142,6 +142,7 @@ Evaluation expected_by(const ParameterDescription& parameter, const Document& do
             at.words = parameter.words;
             at.calls = form_names(parameter);
             at.words_in_calls = true;
+            at.forms = parameter.forms;
             break;
         case ParameterType::any:
             at.words = {"*"};
