@@ -43,8 +43,14 @@ inline double length(Vec a) { return std::sqrt(dot(a, a)); }
 constexpr Vec to_px(Point p) {
     return {static_cast<double>(p.x) / grid_per_px, static_cast<double>(p.y) / grid_per_px};
 }
+// The nearest whole number, halves away from zero; without a call, as std::llround is one.
+constexpr std::int64_t round_to_whole(double v) {
+    const auto whole = static_cast<std::int64_t>(v);
+    const double rest = v - static_cast<double>(whole);  // exact
+    return whole + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0);
+}
 // The nearest grid point, halves away from zero. The vector must lie inside the grid's limit.
-inline Point snap(Vec v) { return {std::llround(v.x * grid_per_px), std::llround(v.y * grid_per_px)}; }
+constexpr Point snap(Vec v) { return {round_to_whole(v.x * grid_per_px), round_to_whole(v.y * grid_per_px)}; }
 // Whether a vector is finite and may be snapped.
 inline bool is_on_plane(Vec v) {
     return std::fabs(v.x) <= 0x1p30 && std::fabs(v.y) <= 0x1p30;  // false for NaN
