@@ -21,6 +21,7 @@ constexpr Vec turned(Vec v, Vec axis) { return {dot(v, axis), cross(axis, v)}; }
 // Its derivatives up to the second are 0 at 0 and 1.
 constexpr double fade(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
 constexpr double mixed(double a, double b, double t) { return a + t * (b - a); }
+constexpr Vec mixed(Vec a, Vec b, double t) { return a + t * (b - a); }
 
 // Of places that are not too far away; without a call, as std::floor is one on many machines.
 constexpr std::int64_t floor_of(double v) {
@@ -33,10 +34,11 @@ constexpr double signed_unit(std::uint64_t bits) { return static_cast<double>(bi
 
 }  // namespace
 
-NoiseField::NoiseField(std::uint64_t seed) : seed_(mix(seed)) {}
+NoiseField::NoiseField(std::uint64_t seed) : seed_(mix(seed)), coarse_(window * window), fine_(window * window) {}
 
-Vec NoiseField::octave(Cell& cell, std::uint64_t seed, Vec place) const {
+Vec NoiseField::octave(Cells& cells, std::uint64_t seed, Vec place) {
     const std::int64_t column = floor_of(place.x), row = floor_of(place.y);
+    Cell& cell = cells[static_cast<std::size_t>(row) % window * window + static_cast<std::size_t>(column) % window];
     if (cell.column != column || cell.row != row) {
         cell.column = column;
         cell.row = row;
@@ -47,18 +49,15 @@ Vec NoiseField::octave(Cell& cell, std::uint64_t seed, Vec place) const {
         }
         for (std::size_t corner = 0; corner < 4; ++corner) {
             const std::uint64_t bits = mix(of_column[corner & 1] ^ of_row[corner >> 1]);
-            cell.first[corner] = {signed_unit(bits), signed_unit(bits >> 16)};
-            cell.second[corner] = {signed_unit(bits >> 32), signed_unit(bits >> 48)};
+            cell.x[corner] = {signed_unit(bits), signed_unit(bits >> 32)};
+            cell.y[corner] = {signed_unit(bits >> 16), signed_unit(bits >> 48)};
         }
     }
     const Vec in{place.x - static_cast<double>(column), place.y - static_cast<double>(row)};
-    const Vec to[4] = {in, in - Vec{1, 0}, in - Vec{0, 1}, in - Vec{1, 1}};
     const double u = fade(in.x), v = fade(in.y);
-    const auto value = [&](const Vec(&gradients)[4]) {
-        return mixed(mixed(dot(gradients[0], to[0]), dot(gradients[1], to[1]), u),
-                     mixed(dot(gradients[2], to[2]), dot(gradients[3], to[3]), u), v);
-    };
-    return {value(cell.first), value(cell.second)};
+    const auto part = [&](std::size_t corner, double x, double y) { return cell.x[corner] * x + cell.y[corner] * y; };
+    return mixed(mixed(part(0, in.x, in.y), part(1, in.x - 1, in.y), u),
+                 mixed(part(2, in.x, in.y - 1), part(3, in.x - 1, in.y - 1), u), v);
 }
 
 Vec NoiseField::at(Vec place) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "plane/point.h"
 
@@ -22,14 +23,17 @@ public:
     Vec at(Vec place);
 
 private:
-    struct Cell {  // of a lattice, with the gradients of two fields at its corners
+    struct Cell {  // of a lattice, with the gradients of two fields at its corners: their x side by side, and their y
         std::int64_t column = INT64_MIN, row = 0;
-        Vec first[4], second[4];
+        Vec x[4], y[4];
     };
-    Vec octave(Cell& cell, std::uint64_t seed, Vec place) const;
+    // A window of so many columns and rows is remembered wherever it lies, each cell in its own place.
+    static constexpr std::size_t window = 16;
+    using Cells = std::vector<Cell>;
+    static Vec octave(Cells& cells, std::uint64_t seed, Vec place);
 
     std::uint64_t seed_;
-    Cell coarse_, fine_;
+    Cells coarse_, fine_;
 };
 
 // Noise along a line, in -1..1, for a place in wavelengths.
