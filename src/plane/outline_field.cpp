@@ -43,19 +43,29 @@ struct Links {
     }
 };
 
-// Relaxes `value` towards the sum of its neighbours and `source`, times `inverse`; nodes outside have an inverse of 0.
-// Even nodes and odd ones take turns, so that the outcome has the symmetry of the shape.
+// Relaxes `value` towards the sum of its neighbours and `source`, times `inverse`; nodes outside have an inverse of 0
+// and stay 0. Even nodes and odd ones take turns, so that the outcome has the symmetry of the shape.
 void relax(std::vector<double>& value, const std::vector<double>& source, const std::vector<double>& inverse,
            const Grid& grid, int sweeps, double eagerness) {
     const std::size_t columns = grid.columns;
-    for (int turn = 0; turn < 2 * sweeps; ++turn) {
-        for (std::size_t row = 1; row + 1 < grid.rows; ++row) {
-            const std::size_t end = (row + 1) * columns - 1;
-            for (std::size_t i = row * columns + 1 + (row + static_cast<std::size_t>(turn)) % 2; i < end; i += 2) {
+    struct Stretch {
+        std::size_t begin = 0, end = 0;
+    };
+    std::vector<Stretch> inside(grid.rows);  // of each row: from the first node inside to the last
+    for (std::size_t i = 0; i < inverse.size(); ++i) {
+        if (inverse[i] == 0) continue;
+        Stretch& stretch = inside[i / columns];
+        if (stretch.end == 0) stretch.begin = i;
+        stretch.end = i + 1;
+    }
+    for (std::size_t turn = 0; turn < 2 * static_cast<std::size_t>(sweeps); ++turn) {
+        for (std::size_t row = 0; row < grid.rows; ++row) {
+            const std::size_t first_of_turn = row * columns + 1 + (row + turn) % 2;
+            for (std::size_t i = inside[row].begin + (inside[row].begin + first_of_turn) % 2; i < inside[row].end;
+                 i += 2) {
                 const double sum =
                     ((value[i - 1] + value[i + 1]) + (value[i - columns] + value[i + columns])) + source[i];
-                const double target = sum * inverse[i];
-                value[i] = inverse[i] == 0 ? 0 : value[i] + eagerness * (target - value[i]);
+                value[i] += eagerness * (sum * inverse[i] - value[i]);
             }
         }
     }
