@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "plane/point_tree.h"
+#include "plane/edge_inserts.h"
+#include "plane/shared_edges.h"
+#include "plane/weld.h"
 
 namespace filigree {
 namespace {
-
-constexpr std::uint32_t few_sides = 16;  // at a vertex: compared each with each
 
 // Of each point of the tree the vertex that it is part of; fills `vertices`.
 std::vector<std::uint32_t> merged(const PointTree& tree, double within, std::vector<Point>& vertices) {
@@ -19,18 +19,12 @@ std::vector<std::uint32_t> merged(const PointTree& tree, double within, std::vec
         while (parents[i] != i) i = parents[i] = parents[parents[i]];
         return i;
     };
-    if (within > 0) {
-        std::vector<Point> near;
-        for (std::uint32_t i = 0; i < points.size(); ++i) {
-            near.clear();
-            tree.find_near(points[i], points[i], within * grid_per_px, near);
-            if (near.size() < 2) continue;
-            for (const Point p : near) {
-                const std::uint32_t a = root_of(i), b = root_of(tree.index_of(p));
-                if (points[a] < points[b]) parents[b] = a;
-                if (points[b] < points[a]) parents[a] = b;
-            }
-        }
+    std::vector<PointTree::Pair> pairs;
+    if (within > 0) tree.find_pairs(within * grid_per_px, pairs);
+    for (const PointTree::Pair& pair : pairs) {
+        const std::uint32_t a = root_of(pair.a), b = root_of(pair.b);
+        if (points[a] < points[b]) parents[b] = a;
+        if (points[b] < points[a]) parents[a] = b;
     }
     std::vector<std::uint32_t> vertex_of(points.size());
     for (std::uint32_t i = 0; i < points.size(); ++i) {
@@ -42,63 +36,64 @@ std::vector<std::uint32_t> merged(const PointTree& tree, double within, std::vec
     return vertex_of;
 }
 
-// A side of a polygon while edges are looked for, filed under its lower vertex.
-struct FiledSide {
-    std::uint32_t high = 0, point = 0;
-};
-
 }  // namespace
-
-std::span<const std::uint32_t> BorderMap::sides_of(const std::vector<std::uint32_t>& sides, const Polygons& polygons,
-                                                   std::size_t polygon) {
-    const auto end_of_rings = [&](std::size_t rings) { return rings == 0 ? 0 : polygons.ring_ends[rings - 1]; };
-    const std::uint32_t begin = end_of_rings(polygon == 0 ? 0 : polygons.polygon_ends[polygon - 1]);
-    return {sides.data() + begin, sides.data() + end_of_rings(polygons.polygon_ends[polygon])};
-}
 
 BorderMap border_map(const Polygons& welded, double merge_within) {
     BorderMap map;
+    map.ring_ends = welded.ring_ends;
+    map.polygon_ends = welded.polygon_ends;
     const PointTree tree(welded.points);
-    const std::vector<std::uint32_t> vertex_of_tree = merged(tree, merge_within, map.vertices);
-    const std::size_t count = welded.points.size();
-    std::vector<std::uint32_t> vertex_of(count);
-    for (std::size_t i = 0; i < count; ++i) vertex_of[i] = vertex_of_tree[tree.index_of(welded.points[i])];
+    const std::vector<std::uint32_t> vertex_of = merged(tree, merge_within, map.vertices);
+    std::vector<DirectedLink> links = ring_links(welded, tree);
+    for (DirectedLink& link : links) link = {vertex_of[link.from], vertex_of[link.to]};
+    SharedEdges shared = shared_edges(map.vertices, links);
+    map.edges = std::move(shared.edges);
+    map.sides = std::move(shared.sides);
+    return map;
+}
 
-    map.sides.assign(count, BorderMap::none);
-    std::vector<std::uint32_t> ends(map.vertices.size() + 1, 0);
-    const auto for_each_side = [&](auto visit) {
-        std::size_t begin = 0;
-        for (const std::uint32_t end : welded.ring_ends) {
-            for (std::size_t i = begin; i < end; ++i) {
-                const std::uint32_t from = vertex_of[i], to = vertex_of[i + 1 < end ? i + 1 : begin];
-                if (from == to) continue;
-                const bool is_turned = map.vertices[to] < map.vertices[from];
-                visit(static_cast<std::uint32_t>(i), is_turned ? to : from, is_turned ? from : to, is_turned);
+BorderMap welded_border_map(const Polygons& polygons, double merge_within) {
+    const PointTree tree(polygons.points);
+    const SharedEdges given = shared_edges(tree.points(), ring_links(polygons, tree));
+    const EdgeInserts inserts = edge_inserts(tree, given.edges, weld_tolerance);
+
+    BorderMap map;
+    const std::vector<std::uint32_t> vertex_of = merged(tree, merge_within, map.vertices);
+    std::vector<DirectedLink> parts;  // of each edge in turn, one more than it has inserts
+    parts.reserve(given.edges.size() + inserts.points.size());
+    for (std::uint32_t e = 0; e < given.edges.size(); ++e) {
+        std::uint32_t before = vertex_of[given.edges[e].low];
+        const auto add_part = [&](std::uint32_t point) {
+            const std::uint32_t next = vertex_of[point];
+            parts.push_back({before, next});
+            before = next;
+        };
+        for (const std::uint32_t point : inserts.of(e)) add_part(point);
+        add_part(given.edges[e].high);
+    }
+    SharedEdges shared = shared_edges(map.vertices, parts);
+    map.edges = std::move(shared.edges);
+
+    map.sides.reserve(given.sides.size() + 2 * inserts.points.size());
+    map.ring_ends.reserve(polygons.ring_ends.size());
+    map.polygon_ends = polygons.polygon_ends;
+    std::size_t begin = 0;
+    for (const std::uint32_t end : polygons.ring_ends) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t side = given.sides[i];
+            if (side == BorderMap::none) continue;
+            const std::uint32_t edge = BorderMap::edge_of(side);
+            const std::uint32_t first = inserts.begins[edge] + edge, last = inserts.begins[edge + 1] + edge;
+            for (std::uint32_t part = first; part <= last; ++part) {
+                if (!BorderMap::is_turned(side)) {
+                    map.sides.push_back(shared.sides[part]);
+                } else {
+                    const std::uint32_t turned = shared.sides[first + (last - part)];
+                    map.sides.push_back(turned == BorderMap::none ? turned : turned ^ 1);
+                }
             }
-            begin = end;
         }
-    };
-    for_each_side([&](std::uint32_t, std::uint32_t low, std::uint32_t, bool) { ++ends[low]; });
-    std::uint32_t before = 0;
-    for (std::uint32_t& end : ends) before += std::exchange(end, before);
-    std::vector<FiledSide> filed(before);
-    for_each_side([&](std::uint32_t point, std::uint32_t low, std::uint32_t high, bool is_turned) {
-        filed[ends[low]++] = {high, point};
-        map.sides[point] = is_turned ? 1 : 0;
-    });
-    std::uint32_t begin = 0;
-    for (std::uint32_t low = 0; low < map.vertices.size(); ++low) {
-        const std::uint32_t end = ends[low];
-        const bool is_sorted = end - begin > few_sides;
-        const auto by_high = [](const FiledSide& a, const FiledSide& b) { return a.high < b.high; };
-        if (is_sorted) std::sort(filed.begin() + begin, filed.begin() + end, by_high);
-        const std::size_t first_edge = map.edges.size();
-        for (std::uint32_t s = begin; s < end; ++s) {
-            std::size_t e = is_sorted && map.edges.size() > first_edge ? map.edges.size() - 1 : first_edge;
-            while (e < map.edges.size() && map.edges[e].high != filed[s].high) ++e;
-            if (e == map.edges.size()) map.edges.push_back({low, filed[s].high});
-            map.sides[filed[s].point] |= static_cast<std::uint32_t>(e) << 1;
-        }
+        map.ring_ends.push_back(static_cast<std::uint32_t>(map.sides.size()));
         begin = end;
     }
     return map;

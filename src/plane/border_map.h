@@ -22,6 +22,7 @@ struct BorderMap {
     // Of each point of the polygons: the edge to the next one of its ring, and whether the ring runs from high to low;
     // none where both are one vertex.
     std::vector<std::uint32_t> sides;
+    std::vector<std::uint32_t> ring_ends, polygon_ends;  // of the polygons, whose rings are ranges of sides
 
     static std::uint32_t edge_of(std::uint32_t side) { return side >> 1; }
     static bool is_turned(std::uint32_t side) { return (side & 1) != 0; }
@@ -29,14 +30,23 @@ struct BorderMap {
         return is_turned(side) ? edges[edge_of(side)].high : edges[edge_of(side)].low;
     }
     std::uint32_t end_of(std::uint32_t side) const { return start_of(side ^ 1); }
-    // The range of a polygon's sides; rings and polygons end as they do in the polygons.
-    static std::span<const std::uint32_t> sides_of(const std::vector<std::uint32_t>& sides, const Polygons& polygons,
-                                                   std::size_t polygon);
+
+    std::size_t side_count(std::size_t polygons) const {  // of the first ones
+        const std::uint32_t rings = polygons == 0 ? 0 : polygon_ends[polygons - 1];
+        return rings == 0 ? 0 : ring_ends[rings - 1];
+    }
+    std::span<const std::uint32_t> sides_of(std::size_t polygon) const {
+        return {sides.data() + side_count(polygon), sides.data() + side_count(polygon + 1)};
+    }
 };
 
 // Points closer together than `merge_within` px are one vertex, the least of them. Of polygons as `weld` leaves
 // them, on the plane. The numbers of vertices and edges depend on the set of points alone.
 BorderMap border_map(const Polygons& welded, double merge_within = 0);
+
+// The same of polygons that are not welded yet (weld.h), in less time than one after the other. The numbering is
+// another one.
+BorderMap welded_border_map(const Polygons& polygons, double merge_within);
 
 // Which edges end at each vertex.
 struct EdgesAtVertices {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "base/test_cases.h"
 #include "plane/test_rings.h"
+#include "plane/weld.h"
 
 namespace filigree {
 namespace {
@@ -28,7 +30,7 @@ TEST(BorderMap, HasEveryVertexAndEdgeOnce) {
         EXPECT_EQ(around.of(v).size(), map.vertices[v].x == 90 ? 3U : 2U);
         for (const std::uint32_t e : around.of(v)) EXPECT_TRUE(map.edges[e].low == v || map.edges[e].high == v);
     }
-    EXPECT_EQ(BorderMap::sides_of(map.sides, squares, 1)[0], map.sides[4]);
+    EXPECT_EQ(map.sides_of(1)[0], map.sides[4]);
     EXPECT_TRUE(border_map({}).vertices.empty());
 }
 
@@ -45,6 +47,38 @@ TEST(BorderMap, MergesWhatIsCloseTogether) {
     EXPECT_EQ(folded.edges.size(), 1U);
     EXPECT_EQ(folded.sides[0], BorderMap::none);
     EXPECT_EQ(folded.sides[1], folded.sides[2] ^ 1);
+}
+
+// The same edges, numbered otherwise.
+TEST(BorderMap, WeldsInOne) {
+    for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
+        CaseRandom random(seed);
+        const std::int64_t range = random.whole(40, 4000);
+        std::vector<Ring> rings(static_cast<std::size_t>(random.whole(0, 20)));
+        for (Ring& ring : rings) {
+            ring.resize(static_cast<std::size_t>(random.whole(1, 6)));
+            for (Point& p : ring) p = {random.whole(-range, range), random.whole(-20, 20)};
+        }
+        const double merge_within = random.whole(0, 4) / grid_per_px;
+        const BorderMap one = welded_border_map(polygons_of(rings), merge_within);
+        const BorderMap two = border_map(weld(polygons_of(rings)), merge_within);
+        ASSERT_EQ(one.vertices.size(), two.vertices.size()) << "seed " << seed;
+        ASSERT_EQ(one.edges.size(), two.edges.size()) << "seed " << seed;
+        ASSERT_EQ(one.polygon_ends, two.polygon_ends) << "seed " << seed;
+        const auto starts = [](const BorderMap& map) {
+            std::vector<std::vector<Point>> all;
+            std::size_t begin = 0;
+            for (const std::uint32_t end : map.ring_ends) {
+                all.emplace_back();
+                for (std::size_t s = begin; s < end; ++s) {
+                    if (map.sides[s] != BorderMap::none) all.back().push_back(map.vertices[map.start_of(map.sides[s])]);
+                }
+                begin = end;
+            }
+            return all;
+        };
+        ASSERT_EQ(starts(one), starts(two)) << "seed " << seed;
+    }
 }
 
 // Many edges at one vertex, each of two triangles.

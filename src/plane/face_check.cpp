@@ -13,6 +13,8 @@ std::vector<Point> points_of(std::span<const std::uint32_t> ring, std::span<cons
     return points;
 }
 
+}  // namespace
+
 int area_sign(std::span<const std::uint32_t> ring, std::span<const Point> at) {
     if (ring.size() < 3) return 0;
     // In doubles where that is certain: every term is off by less than 2^-50 of its size.
@@ -35,8 +37,6 @@ int area_sign(std::span<const std::uint32_t> ring, std::span<const Point> at) {
     return doubled > 0 ? 1 : doubled < 0 ? -1 : 0;
 }
 
-}  // namespace
-
 void FaceCheck::find(std::size_t polygon, std::vector<std::uint32_t>& found) {
     const std::size_t first = rings_.first_ring(polygon), end = rings_.polygon_ends[polygon];
     order_.clear();
@@ -54,7 +54,7 @@ void FaceCheck::find(std::size_t polygon, std::vector<std::uint32_t>& found) {
     if (found.size() > before) return;
     const auto add = [&](std::size_t r) { found.insert(found.end(), rings_.ring(r).begin(), rings_.ring(r).end()); };
     for (std::size_t r = first; r < end; ++r) {
-        if (has_turned_over(rings_.ring(r))) add(r);
+        if (has_turned_over(rings_.ring(r), r == first)) add(r);
     }
     const bool is_misplaced = end - first == 2  ? is_outside(rings_.ring(first + 1), rings_.ring(first))
                               : end - first > 2 ? is_nested_wrongly(first, end)
@@ -64,8 +64,10 @@ void FaceCheck::find(std::size_t polygon, std::vector<std::uint32_t>& found) {
     }
 }
 
-bool FaceCheck::has_turned_over(std::span<const std::uint32_t> ring) const {
+// Where it turned before is only asked of what does not turn as a clean polygon does.
+bool FaceCheck::has_turned_over(std::span<const std::uint32_t> ring, bool is_outer) const {
     const int sign = area_sign(ring, at_);
+    if (sign == (is_outer ? 1 : -1)) return false;
     return sign != area_sign(ring, from_) && (sign != 0 || ring.size() > 2);
 }
 

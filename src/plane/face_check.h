@@ -25,6 +25,9 @@ struct VertexRings {
     }
 };
 
+// The sign of a ring's area, exact.
+int area_sign(std::span<const std::uint32_t> ring, std::span<const Point> at);
+
 class FaceCheck {
 public:
     // `from` and `at`: where vertices lay and lie.
@@ -35,7 +38,7 @@ public:
     void find(std::size_t polygon, std::vector<std::uint32_t>& found);
 
 private:
-    bool has_turned_over(std::span<const std::uint32_t> ring) const;
+    bool has_turned_over(std::span<const std::uint32_t> ring, bool is_outer) const;
     bool is_outside(std::span<const std::uint32_t> hole, std::span<const std::uint32_t> outer) const;
     bool is_nested_wrongly(std::size_t first, std::size_t end) const;
     void sort_by_place();

@@ -2,25 +2,26 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "plane/face_check.h"
 #include "plane/noise.h"
-#include "plane/weld.h"
 #include "plane/wobble_net.h"
 #include "plane/wobble_reach.h"
 
 namespace filigree {
 namespace {
 
-constexpr int halvings = 6;  // of the reach of what crosses; after that it does not move
+constexpr int halvings = 6;               // of the reach of what crosses; after that it does not move
+constexpr double merge_within = 0x1p-20;  // px: what is nearer than rounding cannot be kept apart
 
-VertexRings vertex_rings(const WobbleNet& net, const Polygons& welded) {
+VertexRings vertex_rings(const WobbleNet& net) {
     VertexRings rings;
-    rings.vertices.reserve(welded.points.size() + (net.places.size() - net.map.vertices.size()) * 2);
-    rings.ring_ends.reserve(welded.ring_ends.size());
-    rings.polygon_ends = welded.polygon_ends;
+    rings.vertices.reserve(net.map.sides.size() + (net.places.size() - net.map.vertices.size()) * 2);
+    rings.ring_ends.reserve(net.map.ring_ends.size());
+    rings.polygon_ends = net.map.polygon_ends;
     std::size_t begin = 0;
-    for (const std::uint32_t end : welded.ring_ends) {
+    for (const std::uint32_t end : net.map.ring_ends) {
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t side = net.map.sides[i];
             if (side != BorderMap::none) net.walk(side, [&](std::uint32_t v) { rings.vertices.push_back(v); });
@@ -33,9 +34,9 @@ VertexRings vertex_rings(const WobbleNet& net, const Polygons& welded) {
 
 class Perturber {
 public:
-    Perturber(const Polygons& polygons, WobbleNet net, std::size_t faces, std::uint64_t seed)
+    Perturber(WobbleNet net, std::size_t faces, std::uint64_t seed)
         : net_(std::move(net)),
-          rings_(vertex_rings(net_, polygons)),
+          rings_(vertex_rings(net_)),
           faces_(faces),
           reach_(net_),
           shifts_(net_.places.size()),
@@ -85,8 +86,9 @@ public:
         }
     }
 
-    std::vector<DirectedLink> outline(std::size_t face_sides) const {
+    std::vector<DirectedLink> outline() const {
         std::vector<DirectedLink> links;
+        const std::size_t face_sides = net_.map.side_count(faces_);
         for (std::size_t s = 0; s < face_sides; ++s) {
             const std::uint32_t side = net_.map.sides[s];
             if (side == BorderMap::none || net_.is_outline[BorderMap::edge_of(side)] == 0) continue;
@@ -105,14 +107,11 @@ public:
         Polygons moved;
         for (std::size_t p = first; p < end; ++p) {
             for (std::size_t r = rings_.first_ring(p); r < rings_.polygon_ends[p]; ++r) {
-                const std::size_t begin = moved.points.size();
-                for (const std::uint32_t v : rings_.ring(r)) moved.points.push_back(at_[v]);
+                const std::span<const std::uint32_t> ring = rings_.ring(r);
                 // A needle thinner than the weld's tolerance is nothing but edges on each other.
-                if (doubled_area(RingView(moved.points).subspan(begin)) == 0) {
-                    moved.points.resize(begin);
-                } else {
-                    moved.end_ring();
-                }
+                if (area_sign(ring, at_) == 0) continue;
+                for (const std::uint32_t v : ring) moved.points.push_back(at_[v]);
+                moved.end_ring();
             }
             moved.end_polygon();
         }
@@ -141,7 +140,8 @@ Polygons perturbed_marks(const WobblyShapes& marks, std::uint64_t seed) {
                                        [](const Wobble& wobble) { return amplitude_of(wobble) == 0; });
     if (are_still) return marks.polygons;
     const std::size_t count = marks.polygons.size();
-    Perturber perturber(marks.polygons, wobble_net(marks.polygons, marks.wobbles, count, Detail::given), count, seed);
+    BorderMap map = border_map(marks.polygons, merge_within);
+    Perturber perturber(wobble_net(std::move(map), marks.wobbles, count, Detail::given), count, seed);
     perturber.settle({});
     return perturber.polygons(0, count);
 }
@@ -153,11 +153,10 @@ Perturbed perturb(const PerturbInput& input) {
     all.add_all(input.borders.polygons);
     std::vector<Wobble> wobbles = input.faces.wobbles;
     wobbles.insert(wobbles.end(), input.borders.wobbles.begin(), input.borders.wobbles.end());
-    const Polygons welded = weld(all);
     const std::size_t faces = input.faces.polygons.size();
-    Perturber perturber(welded, wobble_net(welded, wobbles, faces, Detail::more), faces, input.seed);
-    const std::size_t face_rings = faces == 0 ? 0 : welded.polygon_ends[faces - 1];
-    perturber.settle(perturber.outline(face_rings == 0 ? 0 : welded.ring_ends[face_rings - 1]));
+    BorderMap map = welded_border_map(all, merge_within);
+    Perturber perturber(wobble_net(std::move(map), wobbles, faces, Detail::more), faces, input.seed);
+    perturber.settle(perturber.outline());
     return {perturber.polygons(0, faces), perturber.polygons(faces, all.size()),
             perturbed_marks(input.marks, input.seed)};
 }

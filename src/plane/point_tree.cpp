@@ -1,12 +1,14 @@
 #include "plane/point_tree.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace filigree {
 namespace {
 
 constexpr std::uint32_t most_in_cell = 12;    // different points; more make a grid
+constexpr std::uint32_t few = 40;             // looked at one by one, whatever grids they are in
 constexpr std::uint32_t points_per_cell = 3;  // on average; neighbours' common points come several times
 constexpr double rounding = 0x1p-45;          // relative, far above what the few operations below can lose
 
@@ -104,11 +106,15 @@ std::uint32_t PointTree::build(Point* points, std::uint32_t count) {
 
 std::uint32_t PointTree::index_of(Point p) const {
     if (grids_.empty()) return none;
+    const auto offset = [](std::int64_t at, std::int64_t from) {  // below 0 is far above; also off the plane
+        return static_cast<std::uint64_t>(at) - static_cast<std::uint64_t>(from);
+    };
     for (std::uint32_t number = 0;;) {
         const Grid& grid = grids_[number];
-        const std::int64_t column = (p.x - grid.origin.x) >> grid.shift, row = (p.y - grid.origin.y) >> grid.shift;
-        if (column < 0 || row < 0 || column >= grid.columns || row >= grid.rows) return none;
-        const std::size_t c = grid.first_cell + static_cast<std::size_t>(row * grid.columns + column);
+        const std::uint64_t column = offset(p.x, grid.origin.x) >> grid.shift;
+        const std::uint64_t row = offset(p.y, grid.origin.y) >> grid.shift;
+        if (column >= grid.columns || row >= grid.rows) return none;
+        const std::size_t c = grid.first_cell + row * grid.columns + column;
         if (cells_[c].grid != none) {
             number = cells_[c].grid;
             continue;
@@ -120,7 +126,7 @@ std::uint32_t PointTree::index_of(Point p) const {
     }
 }
 
-void PointTree::find_near(Point a, Point b, double distance, std::vector<Point>& found) const {
+void PointTree::find_near(Point a, Point b, double distance, std::vector<std::uint32_t>& found) const {
     if (grids_.empty()) return;
     Query query;
     query.a = a;
@@ -137,7 +143,7 @@ void PointTree::find_near(Point a, Point b, double distance, std::vector<Point>&
     find(0, query, found);
 }
 
-void PointTree::find(std::uint32_t number, const Query& query, std::vector<Point>& found) const {
+void PointTree::find(std::uint32_t number, const Query& query, std::vector<std::uint32_t>& found) const {
     const Grid& grid = grids_[number];
     const auto column_of = [&](std::int64_t x) { return (x - grid.origin.x) >> grid.shift; };
     const auto row_of = [&](std::int64_t y) { return (y - grid.origin.y) >> grid.shift; };
@@ -177,16 +183,59 @@ void PointTree::find(std::uint32_t number, const Query& query, std::vector<Point
 }
 
 void PointTree::find_in_row(const Grid& grid, std::int64_t row, std::int64_t first, std::int64_t last,
-                            const Query& query, std::vector<Point>& found) const {
+                            const Query& query, std::vector<std::uint32_t>& found) const {
     const std::size_t row_cell = grid.first_cell + static_cast<std::size_t>(row) * grid.columns;
-    for (std::size_t c = row_cell + static_cast<std::size_t>(first); c <= row_cell + static_cast<std::size_t>(last);
-         ++c) {
+    const auto look_at = [&](std::uint32_t begin, std::uint32_t end) {
+        for (std::uint32_t i = begin; i < end; ++i) {
+            if (query.accepts(points_[i])) found.push_back(i);
+        }
+    };
+    const std::size_t begin = row_cell + static_cast<std::size_t>(first);
+    const std::size_t end = row_cell + static_cast<std::size_t>(last) + 1;
+    if (cells_[end].begin - cells_[begin].begin <= few) return look_at(cells_[begin].begin, cells_[end].begin);
+    for (std::size_t c = begin; c < end; ++c) {
         if (cells_[c].grid != none) {
             find(cells_[c].grid, query, found);
-            continue;
+        } else {
+            look_at(cells_[c].begin, cells_[c + 1].begin);
         }
-        for (std::uint32_t i = cells_[c].begin; i < cells_[c + 1].begin; ++i) {
-            if (query.accepts(points_[i])) found.push_back(points_[i]);
+    }
+}
+
+void PointTree::find_pairs(double distance, std::vector<Pair>& found) const {
+    const auto reach = static_cast<std::int64_t>(std::min(distance, 0x1p58));
+    for (const Grid& grid : grids_) {
+        const std::int64_t size = std::int64_t{1} << grid.shift;
+        const Cell* cell = &cells_[grid.first_cell];
+        for (std::int64_t row = 0; row < grid.rows; ++row) {
+            for (std::int64_t column = 0; column < grid.columns; ++column, ++cell) {
+                if (cell->grid != none || cell->begin == cell[1].begin) continue;
+                const Point low{grid.origin.x + column * size, grid.origin.y + row * size};
+                const Box inside{{low.x + reach, low.y + reach}, {low.x + size - reach, low.y + size - reach}};
+                find_pairs_of_cell(cell, inside, reach, found);
+            }
+        }
+    }
+}
+
+// Points `inside` have no others near them but those of the cell.
+void PointTree::find_pairs_of_cell(const Cell* cell, Box inside, std::int64_t distance,
+                                   std::vector<Pair>& found) const {
+    std::vector<std::uint32_t> near;
+    for (std::uint32_t i = cell->begin; i < cell[1].begin; ++i) {
+        const Point p = points_[i];
+        if (inside.min.x <= p.x && p.x < inside.max.x && inside.min.y <= p.y && p.y < inside.max.y) {
+            for (std::uint32_t j = i + 1; j < cell[1].begin && points_[j].x - p.x <= distance; ++j) {
+                if (std::abs(points_[j].y - p.y) <= distance) found.push_back({i, j});
+            }
+        } else {
+            near.clear();
+            find_near(p, p, static_cast<double>(distance), near);
+            for (const std::uint32_t j : near) {
+                const bool is_near =
+                    std::abs(points_[j].x - p.x) <= distance && std::abs(points_[j].y - p.y) <= distance;
+                if (j != i && is_near) found.push_back({i, j});
+            }
         }
     }
 }

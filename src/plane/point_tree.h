@@ -19,12 +19,19 @@ public:
     // Equal points count once. All must lie on the plane (|x| <= grid_limit).
     explicit PointTree(std::vector<Point> points);
 
-    // Appends all points within `distance` grid units of the segment (and a few that are a little farther).
-    void find_near(Point a, Point b, double distance, std::vector<Point>& found) const;
-
-    // Each point once, near ones mostly near each other.
+    // Each point once, near ones mostly near each other. What is found are their numbers here.
     const std::vector<Point>& points() const { return points_; }
-    std::uint32_t index_of(Point p) const;  // in points(); none where it is not there
+    std::uint32_t index_of(Point p) const;  // none where it is not there
+
+    // Appends all points within `distance` grid units of the segment (and a few that are a little farther).
+    void find_near(Point a, Point b, double distance, std::vector<std::uint32_t>& found) const;
+
+    // Appends all pairs of points that are no more than `distance` grid units apart in x and in y, some twice. Fast
+    // where they are few.
+    struct Pair {
+        std::uint32_t a = 0, b = 0;
+    };
+    void find_pairs(double distance, std::vector<Pair>& found) const;
 
 private:
     struct Cell {
@@ -40,9 +47,10 @@ private:
     struct Query;
 
     std::uint32_t build(Point* points, std::uint32_t count);
-    void find(std::uint32_t grid, const Query& query, std::vector<Point>& found) const;
+    void find(std::uint32_t grid, const Query& query, std::vector<std::uint32_t>& found) const;
     void find_in_row(const Grid& grid, std::int64_t row, std::int64_t first, std::int64_t last, const Query& query,
-                     std::vector<Point>& found) const;
+                     std::vector<std::uint32_t>& found) const;
+    void find_pairs_of_cell(const Cell* cell, Box inside, std::int64_t distance, std::vector<Pair>& found) const;
 
     std::vector<Point> points_;
     std::vector<Point> sorted_;                  // while it is built

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "base/test_cases.h"
 
@@ -10,8 +12,10 @@ namespace filigree {
 namespace {
 
 std::vector<Point> find_near(const PointTree& tree, Point a, Point b, double distance) {
+    std::vector<std::uint32_t> numbers;
+    tree.find_near(a, b, distance, numbers);
     std::vector<Point> found;
-    tree.find_near(a, b, distance, found);
+    for (const std::uint32_t i : numbers) found.push_back(tree.points()[i]);
     std::sort(found.begin(), found.end());
     return found;
 }
@@ -68,6 +72,47 @@ TEST(PointTree, FindsAllThatAreNear) {
             }
         }
     }
+}
+
+TEST(PointTree, KnowsItsPoints) {
+    const PointTree tree({{3, 4}, {900, -7}, {3, 4}, {0, 0}});
+    for (std::uint32_t i = 0; i < tree.points().size(); ++i) EXPECT_EQ(tree.index_of(tree.points()[i]), i);
+    EXPECT_EQ(tree.index_of({3, 5}), PointTree::none);
+    EXPECT_EQ(tree.index_of({INT64_MIN, INT64_MAX}), PointTree::none);
+    EXPECT_EQ(PointTree({}).index_of({0, 0}), PointTree::none);
+}
+
+// Also across the borders of cells and of the grids in them.
+TEST(PointTree, FindsAllPairs) {
+    std::size_t in_all = 0;
+    for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
+        CaseRandom random(seed);
+        const std::int64_t range = std::int64_t{1} << random.whole(6, 30), distance = random.whole(0, 64);
+        std::vector<Point> points(static_cast<std::size_t>(random.whole(0, 300)));
+        for (Point& p : points) {
+            p = {random.whole(-range, range), random.whole(-range, range)};
+            if (random.whole(0, 2) == 0) p = {p.x / 1000, p.y / 1000};
+            if (random.whole(0, 2) == 0) {
+                p = points[random.index(points.size())];
+                p = {p.x + random.whole(-70, 70), p.y + random.whole(-70, 70)};
+            }
+        }
+        const PointTree tree(points);
+        std::vector<PointTree::Pair> pairs;
+        tree.find_pairs(static_cast<double>(distance), pairs);
+        std::set<std::pair<std::uint32_t, std::uint32_t>> found;
+        for (const PointTree::Pair& pair : pairs) found.emplace(std::min(pair.a, pair.b), std::max(pair.a, pair.b));
+        for (std::uint32_t i = 0; i < tree.points().size(); ++i) {
+            ASSERT_FALSE(found.contains({i, i})) << "seed " << seed;
+            for (std::uint32_t j = i + 1; j < tree.points().size(); ++j) {
+                const Point a = tree.points()[i], b = tree.points()[j];
+                const bool is_near = std::abs(b.x - a.x) <= distance && std::abs(b.y - a.y) <= distance;
+                ASSERT_EQ(found.contains({i, j}), is_near) << "seed " << seed;
+                in_all += is_near ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(in_all, case_count());
 }
 
 }  // namespace

@@ -15,10 +15,12 @@
 
 namespace filigree {
 
+constexpr double weld_tolerance = 0x1p-22;  // px
+
 // Polygons as given, in the same order, with more vertices; none is moved or removed. Only vertices that an
 // edge's ends see at less than 45 degrees from it are inserted, so none beyond an end or just around a
 // corner. Points off the plane (|x| > grid_limit) stay as they are and weld with nothing.
 // O(points log points), also for points in clusters.
-Polygons weld(const Polygons& polygons, double tolerance = 0x1p-22);
+Polygons weld(const Polygons& polygons, double tolerance = weld_tolerance);
 
 }  // namespace filigree

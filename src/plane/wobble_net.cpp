@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace filigree {
 namespace {
@@ -16,20 +17,18 @@ constexpr double least_turn_cos = 0.9063;        // 25 degrees: less is no corne
 constexpr double most_turn_cos = -0.8660;        // 150 degrees: tips stay sharp
 constexpr double shortest_edge = 0x1p-10;        // px; shorter ones get no vertices
 
-constexpr double merge_within = 0x1p-20;  // px: what is nearer than rounding cannot be kept apart
-
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
 class NetBuilder {
 public:
-    NetBuilder(const Polygons& welded, std::span<const Wobble> wobbles, std::size_t faces) {
-        net_.map = border_map(welded, merge_within);
+    NetBuilder(BorderMap map, std::span<const Wobble> wobbles, std::size_t faces) {
+        net_.map = std::move(map);
         const std::size_t edges = net_.map.edges.size();
         amplitudes_.assign(edges, unknown);
         net_.wavelengths.assign(edges, 0);
         net_.is_outline.assign(edges, 0);
-        for (std::size_t i = 0; i < faces; ++i) add_face(welded, i, wobbles[i]);
-        add_borders(welded, wobbles, faces);
+        for (std::size_t i = 0; i < faces; ++i) add_face(i, wobbles[i]);
+        add_borders(wobbles, faces);
     }
 
     WobbleNet build(Detail detail) && {
@@ -41,8 +40,8 @@ public:
 
 private:
     template <class Visit>
-    void for_each_edge(const Polygons& welded, std::size_t polygon, Visit visit) const {
-        for (const std::uint32_t side : BorderMap::sides_of(net_.map.sides, welded, polygon)) {
+    void for_each_edge(std::size_t polygon, Visit visit) const {
+        for (const std::uint32_t side : net_.map.sides_of(polygon)) {
             if (side != BorderMap::none) visit(BorderMap::edge_of(side));
         }
     }
@@ -52,17 +51,17 @@ private:
         if (amplitude > 0) net_.wavelengths[edge] = std::max(net_.wavelengths[edge], wavelength);
     }
 
-    void add_face(const Polygons& welded, std::size_t polygon, const Wobble& wobble) {
+    void add_face(std::size_t polygon, const Wobble& wobble) {
         const double amplitude = amplitude_of(wobble), wavelength = wavelength_of(wobble);
         const bool decides = wobble.amplitude != unknown;
-        for_each_edge(welded, polygon, [&](std::uint32_t edge) {
+        for_each_edge(polygon, [&](std::uint32_t edge) {
             net_.is_outline[edge] ^= 1;
             if (decides) meet(edge, amplitude, wavelength);
         });
     }
 
     // Borders decide where no face does.
-    void add_borders(const Polygons& welded, std::span<const Wobble> wobbles, std::size_t faces) {
+    void add_borders(std::span<const Wobble> wobbles, std::size_t faces) {
         std::vector<std::uint8_t> is_decided;
         if (faces < wobbles.size()) {
             is_decided.resize(amplitudes_.size());
@@ -70,7 +69,7 @@ private:
         }
         for (std::size_t i = faces; i < wobbles.size(); ++i) {
             const double amplitude = amplitude_of(wobbles[i]), wavelength = wavelength_of(wobbles[i]);
-            for_each_edge(welded, i, [&](std::uint32_t edge) {
+            for_each_edge(i, [&](std::uint32_t edge) {
                 if (is_decided[edge] == 0) meet(edge, amplitude, wavelength);
             });
         }
@@ -195,8 +194,8 @@ std::uint32_t WobbleNet::edge_of_inner(std::uint32_t vertex) const {
     return static_cast<std::uint32_t>(after - first_inner.begin()) - 1;
 }
 
-WobbleNet wobble_net(const Polygons& welded, std::span<const Wobble> wobbles, std::size_t faces, Detail detail) {
-    return NetBuilder(welded, wobbles, faces).build(detail);
+WobbleNet wobble_net(BorderMap map, std::span<const Wobble> wobbles, std::size_t faces, Detail detail) {
+    return NetBuilder(std::move(map), wobbles, faces).build(detail);
 }
 
 }  // namespace filigree

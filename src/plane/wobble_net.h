@@ -46,8 +46,8 @@ enum class Detail : std::uint8_t {
     given,  // only the polygons' own vertices
     more,   // long edges get vertices, corners are softened
 };
-// Of welded polygons, each with its wobble; the first `faces` of them are faces.
-WobbleNet wobble_net(const Polygons& welded, std::span<const Wobble> wobbles, std::size_t faces, Detail detail);
+// Of the map of polygons, each with its wobble; the first `faces` of them are faces.
+WobbleNet wobble_net(BorderMap map, std::span<const Wobble> wobbles, std::size_t faces, Detail detail);
 
 // The amplitude that counts.
 double amplitude_of(const Wobble& wobble);

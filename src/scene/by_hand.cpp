@@ -137,7 +137,7 @@ private:
         for (const std::uint32_t p : in_order) {
             const HandShape& shape = shapes_[drawn[p]];
             const std::uint32_t group = groups_of_[shape.shape];
-            for (const std::uint32_t side : BorderMap::sides_of(map.sides, all, p)) {
+            for (const std::uint32_t side : map.sides_of(p)) {
                 if (side == BorderMap::none) continue;
                 const std::uint32_t edge = BorderMap::edge_of(side);
                 groups[edge] = common_group(groups[edge], group);
