@@ -100,6 +100,48 @@ struct GroupRule {
     std::vector<OutputTag> outputs;
 };
 
+// A successor of a rewriting rule: "a[P<n]", goto a@3, or M[ix][iy]; one is drawn where there are several.
+struct WordSuccessor {
+    std::optional<Name> text;     // as written between its quotes
+    std::optional<Name> target;   // goto: one symbol,
+    std::uint32_t iteration = 0;  // and in which iteration
+    std::optional<Name> array;
+    std::vector<ExpressionPtr> indexes;
+    ExpressionPtr weight;  // behind '*'; null if absent
+    SourceSpan span;
+};
+struct WordAssignment {
+    Name name;
+    ExpressionPtr value;
+};
+// [left <] symbol [> right] [@ first[..last]] -> successors [loop ...] [when ...] [{ name = value; ... }]
+struct WordRule {
+    Name left, symbol, right;  // contexts have no text where there are none
+    std::uint32_t first = 1, last = UINT32_MAX;
+    std::vector<WordSuccessor> successors;
+    ExpressionPtr loop;       // null if absent
+    ExpressionPtr condition;  // null if absent
+    std::vector<WordAssignment> assignments;
+};
+// R = random 1..8 "abbccc" [unique]
+struct MacroStatement {
+    Name symbol;
+    ExpressionPtr length;  // a number or a range
+    Name letters;
+    bool is_unique = false;
+};
+// M[3][9] -> "ab"
+struct CellStatement {
+    Name array;
+    std::vector<ExpressionPtr> indexes;
+    Name text;
+};
+// angle 30: what is said of words in one form, a name and values (word_settings.h)
+struct SettingStatement {
+    Name name;
+    std::vector<ExpressionPtr> values;
+};
+
 // A place in a derivation, or several: big_poly/outline/in/regular_split/quads[3]/outline.distance~2. Tags and rules
 // take turns from the start downwards; `*` stands for one segment, `**` for any number of them.
 struct PathSegment {
@@ -167,7 +209,8 @@ struct Statement {
     std::variant<VersionStatement, GrammarStatement, SeedStatement, UnitStatement, ResolutionStatement,
                  IncludeStatement, ParamStatement, LetStatement, PageStatement, LimitStatement, SymmetryStatement,
                  PaletteStatement, StartStatement, StyleStatement, GroupRule, PresetStatement, KeepStatement,
-                 RerollStatement, ApplyStatement, SystemStatement, OperatorStatement>
+                 RerollStatement, ApplyStatement, SystemStatement, OperatorStatement, WordRule, MacroStatement,
+                 CellStatement, SettingStatement>
         node;
 };
 

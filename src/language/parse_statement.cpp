@@ -6,6 +6,7 @@
 #include "language/parser.h"
 #include "language/quantity.h"
 #include "language/token_text.h"
+#include "language/word_settings.h"
 
 namespace filigree {
 
@@ -46,9 +47,12 @@ std::optional<Statement> Parser::read_statement() {
 
     const Token first = peek();
     Statement statement;
-    if (first.kind != TokenKind::name) {
+    if (reads_words_ && is_word_statement(first)) {
+        if (std::optional<Statement> words = read_word_statement()) statement = std::move(*words);
+        if (!has_failed_) expect_statement_end();
+    } else if (first.kind != TokenKind::name) {
         fail_first_token(first);
-    } else if (const bool has_keyword = is_keyword(bytes_of(first)); is_rule(first, has_keyword)) {
+    } else if (const bool has_keyword = is_keyword(bytes_of(first)); !reads_words_ && is_rule(first, has_keyword)) {
         if (std::optional<GroupRule> rule = read_rule()) statement.node = std::move(*rule);
     } else if (has_keyword) {
         if (may_stand_here(first)) read_by_keyword(take(), statement);
@@ -79,7 +83,10 @@ void Parser::read_by_keyword(const Token& keyword, Statement& statement) {
     if (word == "filigree") {
         if (is_only_one(first_.version, keyword)) put(read_version());
     } else if (word == "grammar") {
-        named("the kind of grammar", "", [&](Name name) { statement.node = GrammarStatement{std::move(name)}; });
+        named("the kind of grammar", "", [&](Name name) {
+            reads_words_ = name.text == "rewriting";
+            statement.node = GrammarStatement{std::move(name)};
+        });
     } else if (word == "seed") {
         if (is_only_one(first_.seed, keyword)) put(read_seed());
     } else if (word == "unit") {
@@ -159,7 +166,11 @@ void Parser::fail_first_token(const Token& first) {
 
 void Parser::fail_unknown_statement(const Token& first) {
     const std::string_view word = bytes_of(first);
-    std::vector<std::string> hints = did_you_mean(word, {keywords.begin(), keywords.end()});
+    std::vector<std::string_view> known(keywords.begin(), keywords.end());
+    if (reads_words_) {
+        for (const WordSetting& setting : word_settings()) known.push_back(setting.name);
+    }
+    std::vector<std::string> hints = did_you_mean(word, known);
     if (hints.empty()) {
         std::string list;
         for (const std::string_view keyword : keywords) list += (list.empty() ? "" : ", ") + std::string(keyword);

@@ -158,6 +158,29 @@ private:
     std::optional<OutputTag> read_angled_output();
     void fail_behind_tag(std::string_view code, std::string_view wanted, bool is_rule);
 
+    // --- words and their rules (parse_rewriting.cpp)
+    bool is_word_statement(const Token& first);
+    bool line_has_arrow() const;
+    bool is_cell(const Token& name) const;
+    std::optional<Statement> read_word_statement();
+    std::optional<SettingStatement> read_setting();
+    std::optional<WordRule> read_word_rule(Name symbols);
+    std::optional<MacroStatement> read_macro(Name symbol);
+    std::optional<CellStatement> read_cell(Name array);
+    bool read_indexes(std::vector<ExpressionPtr>& indexes);
+    bool read_iterations(WordRule& rule);
+    std::optional<std::uint32_t> read_iteration();
+    bool read_word_successors(WordRule& rule);
+    std::optional<WordSuccessor> read_word_successor();
+    bool read_word_clauses(WordRule& rule);
+    bool read_assignments(WordRule& rule);
+    // Symbols up to one that stands for itself only in quotes: < > @ = and an arrow.
+    std::optional<Name> read_symbols(std::string_view wanted);
+    std::optional<Name> read_symbol(std::string_view wanted);
+    std::uint32_t behind_blanks(std::uint32_t at) const;
+    bool is_arrow(std::uint32_t at) const;
+    bool accept_sign(char sign);
+
     // --- expressions (parse_expression.cpp)
     ExpressionPtr read_expression();   // the whole of `expr`
     ExpressionPtr read_plain_range();  // without `? :` and `in`: what `param` takes
@@ -207,7 +230,8 @@ private:
     };
     std::vector<BlockEnd> block_ends_;
     bool has_block_ends_ = false;
-    FirstPlaces first_;  // in the innermost block
+    FirstPlaces first_;         // in the innermost block
+    bool reads_words_ = false;  // below `grammar rewriting`
 };
 
 }  // namespace filigree

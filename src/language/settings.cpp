@@ -209,6 +209,11 @@ private:
     void read(const Statement&, const PresetStatement&) {}  // presets.h
     void read(const Statement&, const KeepStatement&) {}
     void read(const Statement&, const RerollStatement&) {}
+    // Read by the engine of words.
+    void read(const Statement&, const WordRule&) {}
+    void read(const Statement&, const MacroStatement&) {}
+    void read(const Statement&, const CellStatement&) {}
+    void read(const Statement&, const SettingStatement&) {}
     void read(const Statement&, const ApplyStatement& apply) { settings_.applies.push_back(&apply); }
     void read(const Statement&, const OperatorStatement& macro) { settings_.operators.push_back(&macro); }
     void read(const Statement&, const SystemStatement& system) { settings_.systems.push_back(&system); }

@@ -174,7 +174,53 @@ struct StatementUnparser {
         return result + block(node.statements);
     }
 
+    std::string operator()(const WordRule& node) const {
+        std::string result = node.left.text.empty() ? "" : unparse_text(node.left.text) + " < ";
+        result += unparse_text(node.symbol.text);
+        if (!node.right.text.empty()) result += " > " + unparse_text(node.right.text);
+        if (node.last != UINT32_MAX) {
+            result += "@" + to_text(std::uint64_t{node.first}) + ".." + to_text(std::uint64_t{node.last});
+        }
+        result += " -> ";
+        for (const WordSuccessor& successor : node.successors) {
+            if (&successor != &node.successors.front()) result += ", ";
+            if (successor.text) result += unparse_text(successor.text->text);
+            if (successor.target) {
+                result +=
+                    "goto " + unparse_text(successor.target->text) + "@" + to_text(std::uint64_t{successor.iteration});
+            }
+            if (successor.array) result += successor.array->text + indexes(successor.indexes);
+            if (successor.weight) result += " * (" + unparse(successor.weight) + ")";
+        }
+        result += with("loop", node.loop) + with("when", node.condition);
+        if (node.assignments.empty()) return result;
+        result += " {";
+        for (const WordAssignment& assignment : node.assignments) {
+            result += " " + assignment.name.text + " = " + unparse(assignment.value) + ";";
+        }
+        return result + " }";
+    }
+    std::string operator()(const MacroStatement& node) const {
+        return unparse_text(node.symbol.text) + " = random " + unparse(node.length) + " " +
+               unparse_text(node.letters.text) + (node.is_unique ? " unique" : "");
+    }
+    std::string operator()(const CellStatement& node) const {
+        return node.array.text + indexes(node.indexes) + " -> " + unparse_text(node.text.text);
+    }
+    std::string operator()(const SettingStatement& node) const {
+        std::string result = node.name.text;
+        for (const ExpressionPtr& value : node.values) {
+            result += (&value == &node.values.front() ? " " : ", ") + unparse(value);
+        }
+        return result;
+    }
+
 private:
+    static std::string indexes(const std::vector<ExpressionPtr>& list) {
+        std::string result;
+        for (const ExpressionPtr& index : list) result += "[" + unparse(index) + "]";
+        return result;
+    }
     static std::string outputs(const std::vector<OutputTag>& tags) {
         std::string result;
         for (const OutputTag& output : tags) {

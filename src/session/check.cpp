@@ -6,6 +6,7 @@
 #include <string>
 #include <tuple>
 
+#include "engines/rewriting/read_grammar.h"
 #include "language/style.h"
 #include "session/engines.h"
 #include "session/list_choices.h"
@@ -18,7 +19,7 @@ Diagnostic unknown_engine(const Settings& settings) {
     std::vector<std::string_view> names;
     for (const EngineInfo& engine : engines()) names.push_back(engine.name);
     std::vector<std::string> hints = did_you_mean(settings.engine, names);
-    if (hints.empty()) hints.push_back("known is tangle");
+    if (hints.empty()) hints.push_back("known are tangle and rewriting");
     return error("document.unknown-grammar", "there is no kind of grammar '" + settings.engine + "'",
                  settings.engine_span, hints);
 }
@@ -72,6 +73,14 @@ public:
 
         Result<Settings> settings = read_settings(opened.document, site);
         take(settings.diagnostics());
+        // A rewriting document reads its systems itself.
+        if (settings && settings->engine == "rewriting") {
+            Result<rewriting::Grammar> words = rewriting::read_grammar(*settings, opened.document);
+            take(words.diagnostics());
+            if (words) checked.words = std::move(*words);
+            checked.settings = std::move(*settings);
+            return checked;
+        }
         for (const EmbeddedDocument& inner : opened.embedded) checked.embedded.push_back(check_embedded(inner));
         if (!settings) return checked;
         checked.settings = std::move(*settings);
@@ -112,6 +121,14 @@ private:
         if (known != known_.end()) return known->second;
         auto checked = std::make_shared<const CheckedDocument>(check(*inner.opened, example_site(inner.info)));
         known_.emplace(inner.opened.get(), checked);
+        if (checked->settings && checked->settings->engine == "rewriting") {
+            append(diagnostics, at_first_source({error("embed.no-drawing",
+                                                       "'" + inner.info.name +
+                                                           "' is a rewriting grammar, whose words "
+                                                           "are not drawn, so it cannot be embedded",
+                                                       checked->settings->engine_span)},
+                                                *inner.opened));
+        }
         return checked;
     }
 

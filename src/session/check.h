@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "derivation/plane_start.h"
+#include "engines/rewriting/grammar.h"
 #include "engines/tangle/grammar.h"
 #include "engines/tangle/graph.h"
 #include "language/settings.h"
@@ -17,6 +18,7 @@ struct CheckedDocument {
     std::optional<Settings> settings;           // none where they could not be read
     std::optional<tangle::Grammar> grammar;     // likewise
     std::optional<PlaneStart> start;            // likewise
+    std::optional<rewriting::Grammar> words;    // of a rewriting document, which has no more than that and settings
     std::shared_ptr<const ShapeSource> shapes;  // what its forms mean; null where the settings could not be read
     std::vector<const GroupRule*> rules;        // as they stand in the document
     tangle::RuleGraph graph;

@@ -8,7 +8,8 @@ std::span<const EngineInfo> engines() {
     static const std::vector<EngineInfo> all = [] {
         EngineInfo tangle{"tangle", "group grammars that split, outline and fill regions of the plane", {}};
         for (const tangle::Operator& op : tangle::operators()) tangle.operators.push_back(&op.description);
-        return std::vector<EngineInfo>{tangle};
+        const EngineInfo rewriting{"rewriting", "string rewriting with symbols that program it", {}};
+        return std::vector<EngineInfo>{tangle, rewriting};
     }();
     return all;
 }

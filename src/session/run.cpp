@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "derivation/symmetric_drawing.h"
+#include "engines/rewriting/plain.h"
 #include "engines/tangle/derive.h"
 #include "engines/tangle/verify.h"
 #include "session/embed.h"
@@ -63,8 +64,44 @@ Result<tangle::Tangle> derive_document(const OpenedDocument& opened, const Check
     return tangle::derive(*checked.grammar, *checked.start, *checked.settings, opened.document, derive, executor, job);
 }
 
+rewriting::DeriveOptions word_options(const OpenedDocument& opened, const CheckedDocument& checked) {
+    rewriting::DeriveOptions options;
+    options.seed = checked.settings->seed;
+    options.limits = checked.settings->limits;
+    options.document = &opened.document;
+    options.globals = &checked.settings->globals;
+    return options;
+}
+
+Result<rewriting::Derivation> derive_word(const OpenedDocument& opened, const CheckedDocument& checked,
+                                          std::optional<std::uint64_t> steps, Executor& executor, const Job& job) {
+    const rewriting::Grammar& grammar = *checked.words;
+    const rewriting::DeriveOptions options = word_options(opened, checked);
+    Result<rewriting::Derivation> derivation = rewriting::begin(grammar, options);
+    if (!derivation) return derivation.diagnostics();
+    const std::uint64_t count = steps.value_or(grammar.systems[0].iterations);
+    if (const auto plain = rewriting::plain_substitution(*derivation, grammar)) {
+        std::optional<Diagnostic> problem =
+            rewriting::step_plainly(*derivation, *plain, count, options.limits, executor);
+        if (problem) return std::move(*problem);
+        return derivation;
+    }
+    for (std::uint64_t i = 0; i < count; ++i) {
+        report(job, "derive", static_cast<double>(i) / static_cast<double>(count));
+        if (is_cancelled(job)) return cancelled_diagnostic();
+        if (std::optional<Diagnostic> problem = rewriting::step(*derivation, grammar, options, job)) {
+            return std::move(*problem);
+        }
+    }
+    return derivation;
+}
+
 Result<Run> run_document(const OpenedDocument& opened, const CheckedDocument& checked, const RunOptions& options,
                          Executor& executor, const Job& job) {
+    if (checked.words) {
+        return error("document.no-drawing", "the words of a rewriting grammar are not drawn",
+                     checked.settings->engine_span, {"'filigree derive' prints them"});
+    }
     Run run;
     const Settings& settings = *checked.settings;
     const double begin = now_seconds();

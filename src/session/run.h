@@ -9,6 +9,7 @@
 #include "base/executor.h"
 #include "base/job.h"
 #include "derivation/plane_start.h"
+#include "engines/rewriting/derive.h"
 #include "engines/tangle/draw.h"
 #include "engines/tangle/tangle.h"
 #include "scene/drawing.h"
@@ -49,7 +50,14 @@ struct Run {
 Result<tangle::Tangle> derive_document(const OpenedDocument& opened, const CheckedDocument& checked,
                                        const RunOptions& options, Executor& executor, const Job& job);
 
-// Likewise.
+// What rewriting is told of the document.
+rewriting::DeriveOptions word_options(const OpenedDocument& opened, const CheckedDocument& checked);
+
+// The word of a rewriting document after `steps` iterations; without a number, after as many as it says.
+Result<rewriting::Derivation> derive_word(const OpenedDocument& opened, const CheckedDocument& checked,
+                                          std::optional<std::uint64_t> steps, Executor& executor, const Job& job);
+
+// Likewise; an error for words, which are not drawn.
 Result<Run> run_document(const OpenedDocument& opened, const CheckedDocument& checked, const RunOptions& options,
                          Executor& executor, const Job& job);
 

@@ -44,6 +44,8 @@ struct DeriveCommand {
     std::optional<std::uint64_t> steps;
     std::size_t threads = 0;
     bool json = false;
+    bool length = false, counts = false;  // of a word, without making it
+    std::string slice;                    // FIRST:COUNT, likewise
 };
 int run_derive(const DeriveCommand& command);
 

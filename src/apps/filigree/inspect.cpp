@@ -3,12 +3,31 @@
 
 #include "apps/filigree/commands.h"
 #include "apps/filigree/terminal.h"
+#include "base/number_text.h"
 #include "session/describe.h"
 #include "session/list_steps.h"
+#include "session/list_word.h"
 #include "session/run.h"
 #include "session/stats.h"
 
 namespace filigree {
+namespace {
+
+WordQuestion question_of(const DeriveCommand& command) {
+    WordQuestion question;
+    if (command.counts) question.kind = WordQuestion::Kind::counts;
+    if (command.slice.empty()) return question;
+    question.kind = WordQuestion::Kind::slice;
+    const std::size_t colon = command.slice.find(':');
+    if (colon == std::string::npos) return question;
+    const std::optional<double> count = parse_number(command.slice.substr(colon + 1));
+    if (!count || !(*count >= 0 && *count < 1e18)) return question;
+    question.first = command.slice.substr(0, colon);
+    question.count = static_cast<std::uint64_t>(*count);
+    return question;
+}
+
+}  // namespace
 
 int run_check(const CheckCommand& command) {
     const Result<OpenedDocument> opened = open_document(command.document, command.open);
@@ -30,6 +49,21 @@ int run_derive(const DeriveCommand& command) {
     const Sources& sources = opened->sources;
     const CheckedDocument checked = check_document(*opened);
     if (const int status = print_diagnostics(checked.diagnostics, sources); status != 0) return status;
+    const bool asks = command.length || command.counts || !command.slice.empty();
+    if (asks && !checked.words) {
+        return print_diagnostics({fault(Fault::usage, "derive.no-word", "this document derives no word")}, {});
+    }
+    if (asks) {
+        const Result<std::string> answered = answer(*opened, checked, command.steps, question_of(command));
+        if (answered) std::cout << *answered;
+        return print_diagnostics(answered.diagnostics(), sources);
+    }
+    if (checked.words) {
+        const Result<rewriting::Derivation> word = derive_word(*opened, checked, command.steps, *executor, job);
+        const int status = print_diagnostics(word.diagnostics(), sources);
+        if (word) std::cout << (command.json ? word_json(*opened, checked, *word) : word_text(*word));
+        return status;
+    }
     RunOptions options;
     options.steps = command.steps;
     const Result<tangle::Tangle> tangle = derive_document(*opened, checked, options, *executor, job);

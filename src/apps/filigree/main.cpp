@@ -133,7 +133,7 @@ void add_derive(CLI::App& app, Run& run) {
         CLI::Option* steps_option = nullptr;
     };
     const auto options = std::make_shared<Options>();
-    CLI::App& command = *app.add_subcommand("derive", "list the steps of a derivation");
+    CLI::App& command = *app.add_subcommand("derive", "list the steps of a derivation, or print its word");
     command.add_option("document", options->command.document, document_help)->required();
     add_open_flags(command, options->flags);
     options->steps_option = command.add_option("--steps", options->steps, "stop after so many steps");
@@ -141,6 +141,9 @@ void add_derive(CLI::App& app, Run& run) {
     command.add_option("--format", options->format, "text or json")
         ->check(CLI::IsMember({"text", "json"}))
         ->capture_default_str();
+    command.add_flag("--length", options->command.length, "of a word: its length, without making it");
+    command.add_flag("--counts", options->command.counts, "of a word: how many there are of each symbol, likewise");
+    command.add_option("--slice", options->command.slice, "of a word: FIRST:COUNT, symbols from a place on, likewise");
     when_chosen<Options>(command, run, options, [](Options& given) -> Run {
         given.command.open = open_options(given.flags);
         if (given.steps_option->count() > 0) given.command.steps = given.steps;

@@ -1,0 +1,495 @@
+#include "engines/rewriting/decide.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "engines/rewriting/contexts.h"
+#include "engines/rewriting/pattern.h"
+
+namespace filigree::rewriting {
+namespace {
+
+constexpr std::uint32_t most_nested = 16;  // subsystems that put subsystems at once
+
+Value number(double value) { return Value{Quantity{value}, {}}; }
+
+class Planner {
+public:
+    Planner(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options, const Job& job)
+        : derivation_(derivation), grammar_(grammar), options_(options), job_(job) {
+        names_.outer = options.globals;
+        for (const Register& known : derivation.registers) names_.names[known.name] = number(known.value);
+        registers_ = derivation.registers;
+    }
+
+    Result<StepPlan> run() {
+        if (!advance_rows()) return std::move(*problem_);
+        const std::size_t known = derivation_.alphabet.size();
+        plan_.entries.resize(known);
+        candidates_.resize(known);
+        bool must_decide = false;
+        for (std::size_t s = 0; s < known; ++s) {
+            if (!plan_symbol(static_cast<Symbol>(s))) return std::move(*problem_);
+            must_decide = must_decide || plan_.entries[s].image == StepPlan::decided;
+        }
+        if (must_decide && !decide_all()) return std::move(*problem_);
+        derivation_.registers = std::move(registers_);
+        return std::move(plan_);
+    }
+
+private:
+    using Kind = StepPlan::Kind;
+
+    bool fail(Diagnostic problem) {
+        problem_ = std::move(problem);
+        return false;
+    }
+    std::uint32_t next_iteration() const { return derivation_.iteration + 1; }
+    const System& system_of(std::uint32_t scope) const { return grammar_.systems[derivation_.scopes[scope].system]; }
+    std::uint32_t clock_of(std::uint32_t scope) const { return next_iteration() - derivation_.scopes[scope].born; }
+    // A subsystem that grows stops after its own iterations.
+    bool is_running(std::uint32_t scope) const { return scope == 0 || clock_of(scope) <= system_of(scope).iterations; }
+
+    // --- rows ---
+
+    std::vector<const Rule*> rules_of(const System& system, char32_t letter) const {
+        std::vector<const Rule*> rules;
+        for (const Rule& rule : system.rules) {
+            if (rule.letter == letter) rules.push_back(&rule);
+        }
+        return rules;
+    }
+    static bool are_rows(const std::vector<const Rule*>& rules) {
+        return std::any_of(rules.begin(), rules.end(), [](const Rule* rule) { return rule->loop != nullptr; });
+    }
+
+    bool advance_rows() {
+        for (std::uint32_t scope = 0; scope < derivation_.scopes.size(); ++scope) {
+            if (!is_running(scope)) continue;
+            std::u32string met;
+            for (const Rule& rule : system_of(scope).rules) {
+                if (met.find(rule.letter) != std::u32string::npos) continue;
+                met += rule.letter;
+                const std::vector<const Rule*> rules = rules_of(system_of(scope), rule.letter);
+                if (are_rows(rules) && !advance_row(scope, rule.letter, rules)) return false;
+            }
+        }
+        return true;
+    }
+    // To the row that serves the next iteration; `row` is behind the last where none does.
+    bool advance_row(std::uint32_t scope, char32_t letter, const std::vector<const Rule*>& rules) {
+        const auto [at, is_new] = derivation_.rows.try_emplace({scope, letter});
+        Derivation::Row& row = at->second;
+        const auto count = static_cast<std::uint32_t>(rules.size());
+        if (row.row == count) return true;
+        if (!is_new) {
+            if (--row.left > 0) return true;
+            ++row.row;
+        }
+        // One round at most, so that rows that serve no iteration at all end.
+        for (std::uint32_t tried = 0; tried <= count; ++tried) {
+            if (row.row == count) {
+                if (system_of(scope).after == AfterRows::identity) return true;
+                if (system_of(scope).after == AfterRows::hold) {
+                    row.row = count - 1;
+                    row.left = UINT64_MAX;
+                    return true;
+                }
+                row.row = 0;
+            }
+            row.left = 1;
+            if (const ExpressionPtr& loop = rules[row.row]->loop) {
+                const Result<double> times = value_of(loop, names_);
+                if (!times) return fail(times.diagnostics().front());
+                row.left = *times >= 0.5 ? static_cast<std::uint64_t>(std::min(*times + 0.5, 1e18)) : 0;
+            }
+            if (row.left > 0) return true;
+            ++row.row;
+        }
+        row.row = count;
+        return true;
+    }
+
+    // --- what becomes of a symbol ---
+
+    // The rules that may apply to a letter in an iteration of its system, in their order.
+    std::vector<const Rule*> candidates(std::uint32_t scope, char32_t letter, std::uint32_t iteration) const {
+        std::vector<const Rule*> rules = rules_of(system_of(scope), letter);
+        if (are_rows(rules)) {
+            const auto row = derivation_.rows.find({scope, letter});
+            if (row == derivation_.rows.end() || row->second.row >= rules.size()) return {};
+            rules = {rules[row->second.row]};
+        }
+        std::erase_if(rules, [&](const Rule* rule) { return iteration < rule->first || iteration > rule->last; });
+        return rules;
+    }
+
+    bool plan_symbol(Symbol symbol) {
+        const SymbolEntry entry = derivation_.alphabet[symbol];
+        StepPlan::Entry& planned = plan_.entries[symbol];
+        if (entry.role == Role::freeze || !is_running(entry.scope)) return true;
+        const System& system = system_of(entry.scope);
+        switch (entry.role) {
+            case Role::counter: {
+                planned.kind = Kind::count;
+                planned.gain = 1;
+                for (const Gain& gain : system.gains)
+                    planned.gain = gain.letter == entry.letter ? gain.by : planned.gain;
+                return true;
+            }
+            case Role::inverter:
+                planned.kind = Kind::invert;
+                return true;
+            case Role::self:
+                planned.kind = Kind::repeat;
+                return true;
+            case Role::macro:
+                planned = {Kind::put, StepPlan::decided, 0};
+                return true;
+            case Role::subsystem:
+                return plan_subsystem(entry, planned);
+            default:
+                break;
+        }
+        candidates_[symbol] = candidates(entry.scope, entry.letter, clock_of(entry.scope));
+        const std::vector<const Rule*>& rules = candidates_[symbol];
+        if (rules.empty()) return true;
+        planned.kind = entry.role == Role::ordinal    ? Kind::multiply
+                       : entry.role == Role::follower ? Kind::follow
+                                                      : Kind::put;
+        const Rule& first = *rules.front();
+        planned.image = StepPlan::decided;
+        const bool is_certain = first.left.empty() && first.right.empty() && !first.condition &&
+                                first.assignments.empty() && first.successors.size() == 1;
+        if (!is_certain || !is_fixed(first.successors[0])) return true;
+        const std::optional<std::uint32_t> image = image_of(first.successors[0], entry.scope, names_);
+        if (!image) return false;
+        planned.image = *image;
+        return true;
+    }
+
+    static bool is_fixed(const Successor& successor) {
+        return successor.kind == Successor::Kind::pattern && is_constant(successor.pattern);
+    }
+
+    std::uint32_t kept_image() {
+        if (!kept_) kept_ = add_image({{}, true});
+        return *kept_;
+    }
+    std::uint32_t add_image(Image image) {
+        plan_.images.push_back(std::move(image));
+        return static_cast<std::uint32_t>(plan_.images.size() - 1);
+    }
+    std::optional<std::uint32_t> image_of_letters(const std::u32string& letters, const Roles& roles,
+                                                  std::uint32_t scope) {
+        std::optional<std::vector<Symbol>> symbols = symbols_of(letters, roles, scope, derivation_.alphabet);
+        if (!symbols) {
+            fail(too_many_symbols());
+            return std::nullopt;
+        }
+        return add_image({std::move(*symbols), false});
+    }
+
+    // What a successor puts; fixed ones once an iteration.
+    std::optional<std::uint32_t> image_of(const Successor& successor, std::uint32_t scope, const Scope& names) {
+        const bool is_fixed_one = is_fixed(successor);
+        if (is_fixed_one) {
+            const auto known = images_of_.find({scope, &successor});
+            if (known != images_of_.end()) return known->second;
+        }
+        if (successor.kind == Successor::Kind::jump) {
+            const std::vector<const Rule*> targets = candidates(scope, successor.target, successor.target_iteration);
+            if (targets.empty() || targets.front()->successors.front().kind == Successor::Kind::jump) {
+                return kept_image();
+            }
+            return image_of(targets.front()->successors.front(), scope, names);
+        }
+        const Pattern* pattern = &successor.pattern;
+        if (successor.kind == Successor::Kind::cell) pattern = cell_of(successor, names);
+        if (pattern == nullptr) return std::nullopt;
+        const std::optional<std::uint32_t> image = image_of_pattern(*pattern, scope, names);
+        if (image && is_fixed_one) images_of_[{scope, &successor}] = *image;
+        return image;
+    }
+    std::optional<std::uint32_t> image_of_pattern(const Pattern& pattern, std::uint32_t scope, const Scope& names) {
+        const Result<std::u32string> letters = expanded(
+            pattern, options_.limits.elements, [&](const ExpressionPtr& count) { return value_of(count, names); });
+        if (letters) return image_of_letters(*letters, system_of(scope).roles, scope);
+        fail(letters.diagnostics().front());
+        return std::nullopt;
+    }
+
+    const Pattern* cell_of(const Successor& successor, const Scope& names) {
+        const auto array = std::find_if(grammar_.arrays.begin(), grammar_.arrays.end(),
+                                        [&](const Array& known) { return known.name == successor.array; });
+        if (array == grammar_.arrays.end() || array->sizes.size() != successor.indexes.size()) {
+            fail(error("rewriting.unknown-array", "there is no array '" + successor.array + "' with so many indexes",
+                       successor.span));
+            return nullptr;
+        }
+        std::size_t cell = 0;
+        for (std::size_t i = 0; i < successor.indexes.size(); ++i) {
+            const Result<double> index = value_of(successor.indexes[i], names);
+            if (!index) {
+                fail(index.diagnostics().front());
+                return nullptr;
+            }
+            if (!(*index >= 0 && *index < array->sizes[i] && *index == std::floor(*index))) {
+                fail(error("rewriting.index-out-of-range",
+                           "index " + std::to_string(i + 1) + " of '" + array->name +
+                               "' must be a whole number from 0 to " + std::to_string(array->sizes[i] - 1),
+                           successor.span));
+                return nullptr;
+            }
+            cell = cell * array->sizes[i] + static_cast<std::size_t>(*index);
+        }
+        return &array->cells[cell];
+    }
+
+    // --- subsystems ---
+
+    std::optional<std::uint32_t> system_named(char32_t letter) const {
+        for (std::uint32_t s = 1; s < grammar_.systems.size(); ++s) {
+            if (grammar_.systems[s].letter == letter) return s;
+        }
+        return std::nullopt;
+    }
+
+    bool plan_subsystem(const SymbolEntry& entry, StepPlan::Entry& planned) {
+        const std::optional<std::uint32_t> system = system_named(entry.letter);
+        if (!system) return true;
+        planned = {Kind::put, StepPlan::decided, 0};
+        if (!grammar_.systems[*system].grows) return true;
+        const auto scope = static_cast<std::uint32_t>(derivation_.scopes.size());
+        derivation_.scopes.push_back({*system, next_iteration()});
+        const std::optional<std::uint32_t> image = image_of_pattern(grammar_.systems[*system].axiom, scope, names_);
+        if (!image) return false;
+        planned.image = *image;
+        return true;
+    }
+
+    // The word of a system after all its iterations, as letters of the system that puts it.
+    std::optional<std::uint32_t> grown(std::uint32_t system, std::uint32_t scope, std::uint64_t bits) {
+        if (options_.nested >= most_nested) {
+            fail(error("rewriting.endless-subsystem", "a subsystem puts itself, without an end"));
+            return std::nullopt;
+        }
+        DeriveOptions options = options_;
+        ++options.nested;
+        options.seed = fold(options_.seed, bits);
+        options.root = Key{bits};
+        Result<Derivation> inner = begin(grammar_, options, system);
+        if (!inner) {
+            fail(inner.diagnostics().front());
+            return std::nullopt;
+        }
+        for (std::uint32_t t = 0; t < grammar_.systems[system].iterations; ++t) {
+            if (std::optional<Diagnostic> problem = step(*inner, grammar_, options, job_)) {
+                fail(std::move(*problem));
+                return std::nullopt;
+            }
+        }
+        std::u32string letters;
+        for (const Symbol symbol : inner->word.symbols) letters += inner->alphabet[symbol].letter;
+        return image_of_letters(letters, system_of(scope).roles, scope);
+    }
+
+    // --- decisions ---
+
+    bool decide_all() {
+        const Word& word = derivation_.word;
+        const std::vector<Symbol>& symbols = word.symbols;
+        std::size_t index = 0;
+        for (std::size_t place = 0; place < symbols.size(); ++index) {
+            const Symbol symbol = symbols[place];
+            const std::size_t freezes = freezes_behind(symbols, place);
+            const StepPlan::Entry& entry = plan_.entries[symbol];
+            const bool is_awake = !is_asleep(derivation_.alphabet[symbol], freezes);
+            if (entry.image == StepPlan::decided && is_awake) {
+                const std::optional<std::uint32_t> image = decide(symbol, place, index, freezes > 0);
+                if (!image) return false;
+                plan_.decisions.push_back(*image);
+            }
+            place += 1 + freezes;
+        }
+        return true;
+    }
+
+    std::optional<std::uint32_t> decide(Symbol symbol, std::size_t place, std::size_t index, bool recalls) {
+        const SymbolEntry entry = derivation_.alphabet[symbol];
+        if (entry.role == Role::macro) return decide_macro(entry, index, recalls);
+        if (entry.role == Role::subsystem) {
+            return grown(*system_named(entry.letter), entry.scope, bits_at(index, 0, index, 0));
+        }
+        const System& system = system_of(entry.scope);
+        for (const Rule* rule : candidates_[symbol]) {
+            if (!rule->left.empty() && !contexts().has_left(place, rule->left, system.ignored)) continue;
+            if (!rule->right.empty() && !contexts().has_right(place, rule->right, system.ignored)) continue;
+            Scope names = facts_at(index);
+            if (rule->condition) {
+                const std::optional<bool> holds = does_hold(rule->condition, names);
+                if (!holds) return std::nullopt;
+                if (!*holds) continue;
+            }
+            const std::optional<std::size_t> which = draw_successor(*rule, index, names);
+            if (!which) return std::nullopt;
+            if (*which == rule->successors.size()) return kept_image();
+            if (!assign(*rule, names)) return std::nullopt;
+            return image_of(rule->successors[*which], entry.scope, names);
+        }
+        return kept_image();
+    }
+
+    // Registers as they are before the iteration; assignments are made behind it, from left to right.
+    bool assign(const Rule& rule, const Scope& names) {
+        for (const Assignment& assignment : rule.assignments) {
+            const Result<double> value = value_of(assignment.value, names);
+            if (!value) return fail(value.diagnostics().front());
+            const auto known = std::find_if(registers_.begin(), registers_.end(),
+                                            [&](const Register& r) { return r.name == assignment.name; });
+            if (known == registers_.end()) {
+                return fail(error("rewriting.unknown-register", "there is no register '" + assignment.name + "'",
+                                  assignment.value->span));
+            }
+            known->value = *value;
+        }
+        return true;
+    }
+
+    // --- values ---
+
+    Result<double> value_of(const ExpressionPtr& expression, const Scope& names) const {
+        Evaluation at;
+        at.document = options_.document;
+        at.scope = &names;
+        const Result<Value> value = evaluate(*expression, at);
+        if (!value) return value.diagnostics();
+        return as_number(*value);
+    }
+    std::optional<bool> does_hold(const ExpressionPtr& condition, const Scope& names) {
+        Evaluation at;
+        at.document = options_.document;
+        at.scope = &names;
+        const Result<Value> value = evaluate(*condition, at);
+        const Result<bool> flag = value ? as_flag(*value) : Result<bool>(value.diagnostics());
+        if (flag) return *flag;
+        fail(flag.diagnostics().front());
+        return std::nullopt;
+    }
+
+    // What is known of a symbol: t is the iteration, `index` its place among the symbols of the word, from 0.
+    Scope facts_at(std::size_t index) {
+        Scope facts;
+        facts.outer = &names_;
+        facts.names["t"] = number(next_iteration());
+        facts.names["index"] = number(static_cast<double>(index));
+        const Word& word = derivation_.word;
+        if (!word.ages.empty()) facts.names["age"] = number(word.ages[index]);
+        facts.names["depth"] = number(depth_of(index));
+        return facts;
+    }
+    double depth_of(std::size_t index) {
+        if (depths_.empty()) {
+            std::uint32_t depth = 0;
+            for (const Symbol symbol : derivation_.word.symbols) {
+                if (symbol == Alphabet::freeze) continue;
+                const char32_t letter = derivation_.alphabet[symbol].letter;
+                if (letter == U']' && depth > 0) --depth;
+                depths_.push_back(depth);
+                if (letter == U'[') ++depth;
+            }
+        }
+        return depths_[index];
+    }
+    const Contexts& contexts() {
+        if (!contexts_) contexts_ = std::make_unique<Contexts>(derivation_.word, derivation_.alphabet);
+        return *contexts_;
+    }
+
+    // --- draws ---
+
+    // By lineage: who the symbol is and what for. By position: where it stands and when.
+    std::uint64_t bits_at(std::size_t index, std::uint64_t stream, std::uint64_t ordinal, std::uint64_t draw) const {
+        const Word& word = derivation_.word;
+        if (!word.keys.empty()) return random_bits(options_.seed, Key{word.keys[index]}, stream, draw);
+        return fold(fold(fold(fold(options_.seed, stream), next_iteration()), ordinal), draw);
+    }
+
+    // The number of a successor; that behind the last where no weight is above zero.
+    std::optional<std::size_t> draw_successor(const Rule& rule, std::size_t index, const Scope& names) {
+        if (rule.successors.size() == 1) return 0;
+        const std::uint64_t bits = bits_at(index, 0, index, 0);
+        std::size_t best = rule.successors.size();
+        double least = INFINITY;
+        for (std::size_t s = 0; s < rule.successors.size(); ++s) {
+            double weight = 1;
+            if (rule.successors[s].weight) {
+                const Result<double> said = value_of(rule.successors[s].weight, names);
+                if (!said) {
+                    fail(said.diagnostics().front());
+                    return std::nullopt;
+                }
+                weight = *said;
+            }
+            const double time = race_time(fold(bits, s), weight);
+            if (time < least) {
+                least = time;
+                best = s;
+            }
+        }
+        return best;
+    }
+
+    std::optional<std::uint32_t> decide_macro(const SymbolEntry& entry, std::size_t index, bool recalls) {
+        const System& system = system_of(entry.scope);
+        const auto macro = std::find_if(system.macros.begin(), system.macros.end(),
+                                        [&](const Macro& known) { return known.letter == entry.letter; });
+        if (macro == system.macros.end()) return kept_image();
+        const auto known = derivation_.recalled.find({entry.scope, entry.letter});
+        if (recalls && known != derivation_.recalled.end()) {
+            return image_of_letters(known->second, system.roles, entry.scope);
+        }
+        const std::uint64_t ordinal = drawn_[{entry.scope, entry.letter}]++;
+        std::uint64_t draw = 0;
+        const auto whole = [&](std::uint64_t count) {
+            return to_whole(bits_at(index, entry.letter, ordinal, draw++), static_cast<std::uint32_t>(count));
+        };
+        const std::uint64_t length = macro->low + whole(std::uint64_t{macro->high} - macro->low + 1);
+        std::u32string letters;
+        const auto letter = [&] { return macro->letters[whole(macro->letters.size())]; };
+        if (macro->is_unique) {
+            letters.assign(length, letter());
+        } else {
+            while (letters.size() < length) letters += letter();
+        }
+        if (known == derivation_.recalled.end() || system.recalls_last) {
+            derivation_.recalled[{entry.scope, entry.letter}] = letters;
+        }
+        return image_of_letters(letters, system.roles, entry.scope);
+    }
+
+    Derivation& derivation_;
+    const Grammar& grammar_;
+    const DeriveOptions& options_;
+    const Job& job_;
+    StepPlan plan_;
+    Scope names_;                                       // registers
+    std::vector<Register> registers_;                   // behind the iteration
+    std::vector<std::vector<const Rule*>> candidates_;  // by symbol
+    std::map<std::pair<std::uint32_t, const Successor*>, std::uint32_t> images_of_;
+    std::optional<std::uint32_t> kept_;
+    std::map<std::pair<std::uint32_t, char32_t>, std::uint64_t> drawn_;  // so far in this iteration
+    std::vector<std::uint32_t> depths_;
+    std::unique_ptr<Contexts> contexts_;
+    std::optional<Diagnostic> problem_;
+};
+
+}  // namespace
+
+Result<StepPlan> plan_step(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options,
+                           const Job& job) {
+    return Planner(derivation, grammar, options, job).run();
+}
+
+}  // namespace filigree::rewriting

@@ -1,0 +1,71 @@
+// Deriving a word: in every iteration all symbols are rewritten at once, by what the word and the registers were before
+// it (Roncoroni and Crousse, "Programming string-substitution rewriting systems").
+//
+// An iteration looks at the word three times. First come the symbols whose successor hangs on more than the symbol
+// itself (contexts, conditions, draws, macros, subsystems): what becomes of them is decided from left to right
+// (decide.h). Then the size of the new word is counted, so that one that is too large ends the run before any memory
+// is asked for; then it is written.
+//
+// Guarantees: iteration t makes S_t from S_(t-1) alone; a limit that is reached, or an error, leaves all as it was.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/job.h"
+#include "base/limits.h"
+#include "base/result.h"
+#include "engines/rewriting/grammar.h"
+#include "engines/rewriting/word.h"
+#include "language/evaluate.h"
+
+namespace filigree::rewriting {
+
+struct DeriveOptions {
+    std::uint64_t seed = 0;
+    Key root;  // folded into all lineages
+    Limits limits;
+    const Document* document = nullptr;  // of the expressions
+    const Scope* globals = nullptr;      // likewise
+    bool with_ages = false;
+    std::uint32_t nested = 0;  // subsystems around this derivation
+};
+
+// A derivation under way, as plain data: a copy goes on by itself.
+struct Derivation {
+    // The system that rewrites a symbol, and the iteration after which it began to.
+    struct Scope {
+        std::uint32_t system = 0, born = 0;
+    };
+    // Where the rows of a letter have come to (loops).
+    struct Row {
+        std::uint32_t row = 0;
+        std::uint64_t left = 0;  // iterations for which it still serves
+    };
+
+    Alphabet alphabet;
+    std::vector<Scope> scopes;  // by SymbolEntry::scope; [0] is the outermost system
+    Word word;
+    std::uint32_t iteration = 0;
+    std::vector<Register> registers;
+    std::map<std::pair<std::uint32_t, char32_t>, std::u32string> recalled;  // by scope and macro
+    std::map<std::pair<std::uint32_t, char32_t>, Row> rows;                 // by scope and letter
+};
+
+// The axiom, of the document's own system or of another.
+Result<Derivation> begin(const Grammar& grammar, const DeriveOptions& options, std::uint32_t system = 0);
+
+// One iteration more; what went wrong, if anything did.
+std::optional<Diagnostic> step(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options,
+                               const Job& job);
+
+// The symbols of letters that one system reads: an inverter is known by what stands before it. None where there are
+// too many symbols.
+std::optional<std::vector<Symbol>> symbols_of(std::u32string_view letters, const Roles& roles, std::uint32_t scope,
+                                              Alphabet& alphabet);
+
+}  // namespace filigree::rewriting

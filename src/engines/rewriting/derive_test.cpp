@@ -1,0 +1,201 @@
+#include "engines/rewriting/derive.h"
+
+#include <gtest/gtest.h>
+
+#include "base/test_cases.h"
+#include "engines/rewriting/plain.h"
+#include "engines/rewriting/read_grammar.h"
+#include "language/parse.h"
+
+namespace filigree::rewriting {
+namespace {
+
+struct Read {
+    Document document;
+    Settings settings;
+    Grammar grammar;
+    Diagnostics problems;  // of the grammar
+};
+
+Read read(const std::string& text) {
+    Read out;
+    Parsed parsed = parse_document("a.fil", "grammar rewriting\n" + text, {});
+    EXPECT_EQ(to_text(parsed.diagnostics, parsed.document.sources), "");
+    out.document = std::move(parsed.document);
+    Result<Settings> settings = read_settings(out.document);
+    EXPECT_TRUE(settings) << to_text(settings.diagnostics(), out.document.sources);
+    if (settings) out.settings = std::move(*settings);
+    Result<Grammar> grammar = read_grammar(out.settings, out.document);
+    out.problems = grammar.diagnostics();
+    if (grammar) out.grammar = std::move(*grammar);
+    return out;
+}
+
+// The words of iterations 0 to n, between blanks; or the code of what went wrong.
+std::string words(const std::string& text, int n, const Limits& limits = {}) {
+    const Read said = read(text);
+    if (!said.problems.empty()) return said.problems.front().code;
+    DeriveOptions options;
+    options.seed = said.settings.seed;
+    options.limits = limits;
+    options.document = &said.document;
+    options.globals = &said.settings.globals;
+    Result<Derivation> derivation = begin(said.grammar, options);
+    if (!derivation) return derivation.diagnostics().front().code;
+    std::string all = to_text(derivation->word, derivation->alphabet);
+    for (int i = 0; i < n; ++i) {
+        if (const auto problem = step(*derivation, said.grammar, options, {})) return all + " " + problem->code;
+        all += " " + to_text(derivation->word, derivation->alphabet);
+    }
+    return all;
+}
+
+TEST(Derive, TheWorkedExamples) {
+    EXPECT_EQ(words("axiom \"aa===\"\na -> \"ab\"", 4), "aa=== aba== abba= abbba abbbbab");
+    EXPECT_EQ(words("axiom \"a\"\na -> \"{3b+c}bbb\"", 1), "a b+cb+cb+cbbb");
+    EXPECT_EQ(words("axiom \"D+a+a+a\"\na@1 -> \"a[P<n]\"\nn@2 -> \"a[T<\u00F1]\"\n~n@3 -> \"a\"", 3),
+              "D+a+a+a D+a[P<n]+a[P<n]+a[P<n] "
+              "D+a[P<a[T<\u00F1]]+a[P<a[T<\u00F1]a[T<\u00F1]]+a[P<a[T<\u00F1]a[T<\u00F1]a[T<\u00F1]] "
+              "D+a[P<a[T<a]]+a[P<a[T<aa]a[T<aa]]+a[P<a[T<aaa]a[T<aaa]a[T<aaa]]");
+}
+
+TEST(Derive, RepeatsByNumbersNamesAndExpressions) {
+    EXPECT_EQ(words("axiom \"{2{2a}b}{0c}{-1d}{}{e}\"", 0), "aabaabe");
+    EXPECT_EQ(words("param k = 3\naxiom \"a\"\na -> \"{$k b}{(t + 1) c}\"", 1), "a bbbcc");
+    EXPECT_EQ(words("axiom \"{3a\"", 0), "rewriting.unmatched-brace");
+    EXPECT_EQ(words("free \"{}\"\naxiom \"{3a\"", 0), "{3a");
+}
+
+TEST(Derive, ContextsAreSeenAcrossBranches) {
+    EXPECT_EQ(words("axiom \"b[c]a\"\nb < a -> \"x\"", 1), "b[c]a b[c]x");
+    EXPECT_EQ(words("axiom \"b+a\"\nignore \"+\"\nb < a -> \"x\"", 1), "b+a b+x");
+    EXPECT_EQ(words("axiom \"b[a]\"\nb < a -> \"x\"", 1), "b[a] b[x]");
+    EXPECT_EQ(words("axiom \"a[c]b\"\na > b -> \"x\"", 1), "a[c]b x[c]b");
+    EXPECT_EQ(words("axiom \"[a]b\"\na > b -> \"x\"", 1), "[a]b [a]b") << "a branch is never left to the right";
+    EXPECT_EQ(words("axiom \"a[cd]e\"\na > [c] -> \"x\"", 1), "a[cd]e x[cd]e");
+    EXPECT_EQ(words("axiom \"a=b\"\na > b -> \"x\"\nb -> \"c\"", 2), "a=b ac ac");
+    EXPECT_EQ(words("axiom \"a]b\"\na > b -> \"x\"", 1), "a]b a]b");
+}
+
+TEST(Derive, ConditionsAndRegisters) {
+    EXPECT_EQ(words("axiom \"aaa\"\na -> \"b\" when index == 1", 1), "aaa aba");
+    EXPECT_EQ(words("axiom \"a[a[a]]\"\na -> \"b\" when depth >= 1", 1), "a[a[a]] a[b[b]]");
+    // All read what the registers were before; behind the iteration the last assignment holds.
+    EXPECT_EQ(words("register k 1\naxiom \"aa\"\na -> \"{$k a}\" { k = k + 1 }", 2), "aa aa aaaa");
+    EXPECT_EQ(words("axiom \"a\"\na -> \"b\" { k = 1 }", 1), "rewriting.unknown-register");
+    EXPECT_EQ(words("axiom \"a\"\narray M [2]\nM[1] -> \"x\"\na -> M[t - 1]", 2), "a  ");
+    EXPECT_EQ(words("axiom \"a\"\narray M [2]\na -> M[t + 1]", 1), "a rewriting.index-out-of-range");
+    EXPECT_EQ(words("axiom \"a\"\na -> M[1]", 1), "rewriting.unknown-array");
+}
+
+TEST(Derive, RowsServeTheirIterations) {
+    const std::string rows = "axiom \"a\"\na -> \"ab\" loop 2\na -> \"ac\" loop 1\n";
+    EXPECT_EQ(words(rows, 5), "a ab abb acbb acbb acbb");
+    EXPECT_EQ(words(rows + "after hold", 5), "a ab abb acbb accbb acccbb");
+    EXPECT_EQ(words(rows + "after cycle", 5), "a ab abb acbb abcbb abbcbb");
+    EXPECT_EQ(words("axiom \"a\"\na -> \"b\" loop 0", 2), "a a a");
+    EXPECT_EQ(words("axiom \"a\"\na -> \"b\" loop 0\nafter cycle", 2), "a a a");
+}
+
+TEST(Derive, SubsystemsAtOnceAndGrowing) {
+    const std::string inner = "axiom \"aAb\"\na -> \"aa\"\nsystem A { axiom \"c\"; c -> \"cd\"; iterations 3";
+    EXPECT_EQ(words(inner + " }", 2), "aAb aacdddb aaaacdddb");
+    EXPECT_EQ(words(inner + "; mode grow }", 5),
+              "aAb aacb aaaacdb aaaaaaaacddb aaaaaaaaaaaaaaaacdddb aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaacdddb");
+    EXPECT_EQ(words("axiom \"A\"\nsystem A { axiom \"A\"; system A { axiom \"a\" } }", 1), "rewriting.doubled-name");
+}
+
+TEST(Derive, WhatIsTooLargeEndsBeforeItIsMade) {
+    Limits limits;
+    limits.elements = 1000;
+    EXPECT_EQ(words("axiom \"ss\"", 3, limits),
+              "ss ssss ssssssssssssssss ssssssssssssssssssssssssssssssssssssssssssssssss"
+              "ssssssssssssssssssssssssssssssssssssssssssssssssssssssssssssssssssssss"
+              "ssssssssssssssssssssssssssssssssssssssssssssssssssssssssssssssssssssss"
+              "ssssssssssssssssssssssssssssssssssssssssssssssssssssssssssssssssssss");
+    EXPECT_EQ(words("axiom \"ssssssss\"", 3, limits).substr(9 + 65), "limit.elements") << "8, 64, then 4096";
+    EXPECT_EQ(words("axiom \"{5000a}\"", 0, limits), "limit.elements");
+    EXPECT_EQ(words("axiom \"{99999999{99999999a}}\"", 0), "limit.elements");
+    EXPECT_EQ(words("axiom \"a\"\na -> \"{1000000000 a}\"", 1, limits), "a limit.elements");
+}
+
+TEST(Derive, DrawsHangOnLineage) {
+    const std::string text = "seed 5\naxiom \"aa\"\na -> \"ab\", \"ac\", \"aa\"\n";
+    const std::string once = words(text, 6);
+    EXPECT_EQ(once, words(text, 6));
+    EXPECT_NE(once, words("seed 6\naxiom \"aa\"\na -> \"ab\", \"ac\", \"aa\"\n", 6));
+    // What grows at the left does not matter to the right.
+    const auto tail = [](const std::string& all) { return all.substr(all.rfind('x')); };
+    const std::string left = "seed 5\naxiom \"yxa\"\na -> \"ab\", \"ac\", \"aa\"\ny -> ";
+    EXPECT_EQ(tail(words(left + "\"y\"", 6)), tail(words(left + "\"yyy\"", 6)));
+    EXPECT_EQ(words("axiom \"a\"\na -> \"b\" * 0, \"c\" * 0", 1), "a a") << "nothing can be drawn";
+}
+
+// Where a grammar is a substitution, that makes the words that steps make.
+TEST(Derive, PlainGrammarsAreSubstitutions) {
+    SerialExecutor executor;
+    std::uint64_t compared = 0;
+    for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
+        CaseRandom random(seed);
+        std::string text = "axiom \"ab{2c}\"\n";
+        for (const char letter : std::string("abcF[]+")) {
+            if (random.below(3) == 0) continue;
+            text += "\"" + std::string(1, letter) + "\" -> \"";
+            for (int i = random.whole(0, 4); i > 0; --i) text += "abcdF[]+-"[random.index(9)];
+            text += "\"\n";
+        }
+        const Read said = read(text);
+        ASSERT_TRUE(said.problems.empty()) << text;
+        DeriveOptions options;
+        options.limits.elements = 20000;
+        Result<Derivation> stepped = begin(said.grammar, options), at_once = begin(said.grammar, options);
+        ASSERT_TRUE(stepped && at_once);
+        const auto plain = plain_substitution(*at_once, said.grammar);
+        ASSERT_TRUE(plain) << text;
+        std::optional<Diagnostic> problem;
+        const auto steps = random.below(7);
+        for (std::uint32_t i = 0; i < steps && !problem; ++i) problem = step(*stepped, said.grammar, options, {});
+        const auto other = step_plainly(*at_once, *plain, steps, options.limits, executor);
+        ASSERT_EQ(problem.has_value(), other.has_value()) << text;
+        if (problem) {
+            EXPECT_EQ(problem->code, other->code);
+            continue;
+        }
+        ++compared;
+        ASSERT_EQ(to_text(stepped->word, stepped->alphabet), to_text(at_once->word, at_once->alphabet)) << text;
+        ASSERT_EQ(stepped->iteration, at_once->iteration);
+    }
+    EXPECT_GT(compared, case_count() / 2);
+    for (const char* other : {"axiom \"a=\"", "axiom \"q\"", "axiom \"a\"\na@2 -> \"b\"", "axiom \"a\"\na -> \"s\"",
+                              "axiom \"a\"\na -> \"b\", \"c\"", "axiom \"a\"\na < a -> \"b\""}) {
+        const Read said = read(other);
+        Result<Derivation> derivation = begin(said.grammar, {});
+        ASSERT_TRUE(derivation);
+        EXPECT_FALSE(plain_substitution(*derivation, said.grammar)) << other;
+    }
+}
+
+TEST(Derive, WrongGrammars) {
+    EXPECT_EQ(words("a -> \"b\"", 0), "rewriting.missing-axiom");
+    EXPECT_EQ(words("axiom \"a\"\naxiom \"b\"", 0), "rewriting.repeated-setting");
+    EXPECT_EQ(words("axiom \"a\"\nq -> \"b\"", 0), "rewriting.special-letter");
+    EXPECT_EQ(words("axiom \"a\"\nfree q\nq -> \"b\"", 0), "a");
+    EXPECT_EQ(words("axiom 5", 0), "rewriting.bad-setting");
+    EXPECT_EQ(words("axiom \"a\"\ndialect abop", 0), "rewriting.bad-word");
+    EXPECT_EQ(words("axiom \"a\"\niterations -1", 0), "rewriting.out-of-range");
+    EXPECT_EQ(words("axiom \"a\"\nR = random 3..1 \"ab\"", 0), "rewriting.bad-macro");
+    EXPECT_EQ(words("axiom \"a\"\nR = random 3 \"\"", 0), "rewriting.bad-macro");
+    EXPECT_EQ(words("axiom \"a\"\n\"b[\" < a -> \"c\"", 0), "rewriting.unmatched-bracket");
+    EXPECT_EQ(words("axiom \"a\"\narray M [2] [3]\nM[2][0] -> \"a\"", 0), "rewriting.out-of-range");
+    EXPECT_EQ(words("axiom \"a\"\n\" \" -> \"c\"", 0), "rewriting.bad-letter");
+    std::string many = "axiom \"a\"\n";
+    for (int i = 0; i < 300; ++i)
+        many += "a -> \"" + to_utf8(std::u32string(1, static_cast<char32_t>(0x4E00 + i))) + "\"\n";
+    EXPECT_EQ(words(many + "a -> \"b\"", 1).substr(0, 1), "a");
+    std::u32string all;
+    for (int i = 0; i < 300; ++i) all += static_cast<char32_t>(0x4E00 + i);
+    EXPECT_EQ(words("axiom \"" + to_utf8(all) + "\"", 0), "rewriting.too-many-symbols");
+}
+
+}  // namespace
+}  // namespace filigree::rewriting

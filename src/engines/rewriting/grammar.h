@@ -1,0 +1,113 @@
+// A rewriting grammar as plain data: systems of rules over letters (Roncoroni and Crousse, "Programming
+// string-substitution rewriting systems").
+//
+// Letters, not symbols: which symbol a letter is depends on where it stands, and that is decided when the grammar is
+// prepared for deriving (program.h). The system with index 0 is the document's own; the others are its subsystems.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "base/random.h"
+#include "engines/rewriting/symbols.h"
+#include "language/expression.h"
+
+namespace filigree::rewriting {
+
+constexpr std::uint32_t every_iteration = UINT32_MAX;
+
+// A text in which patterns repeat: b{3 a+}c. Where the number is no constant, as in {$k p} and {(expr) p}, it is
+// evaluated when the text is put.
+struct Pattern {
+    struct Part {
+        std::u32string letters;  // where nothing repeats
+        ExpressionPtr count;     // null for letters
+        std::vector<Part> repeated;
+    };
+    std::vector<Part> parts;
+};
+
+struct Successor {
+    enum class Kind : std::uint8_t { pattern, jump, cell };
+    Kind kind = Kind::pattern;
+    Pattern pattern;
+    char32_t target = 0;                 // jump: whose successor is taken,
+    std::uint32_t target_iteration = 0;  // and that of which iteration
+    std::string array;                   // cell: of which array,
+    std::vector<ExpressionPtr> indexes;  // and where in it, from 0
+    ExpressionPtr weight;                // null: 1
+    SourceSpan span;
+};
+
+struct Assignment {
+    std::string name;  // of a register
+    ExpressionPtr value;
+};
+
+// [left <] letter [> right] [@ iterations] -> successors [loop ...] [when ...] [{ assignments }]
+struct Rule {
+    std::u32string left, right;  // contexts
+    char32_t letter = 0;
+    std::uint32_t first = 1, last = every_iteration;  // iterations in which it applies
+    std::vector<Successor> successors;                // one is drawn by weight where there are several
+    ExpressionPtr loop;                               // the rules of the letter are rows; null: no loop is said
+    ExpressionPtr condition;                          // null: always
+    std::vector<Assignment> assignments;
+    Key key;
+    SourceSpan span;
+};
+
+// R = random 1..8 "abbccc"
+struct Macro {
+    char32_t letter = 0;
+    std::uint32_t low = 0, high = 0;  // how many letters
+    std::u32string letters;           // drawn with replacement
+    bool is_unique = false;           // one letter, repeated
+};
+
+enum class AfterRows : std::uint8_t { identity, hold, cycle };
+enum class AgeMode : std::uint8_t { position, lineage };
+enum class DrawMode : std::uint8_t { lineage, position };
+
+struct Gain {
+    char32_t letter = 0;
+    std::uint32_t by = 1;
+};
+
+struct System {
+    char32_t letter = 0;  // of a subsystem
+    Roles roles;
+    Pattern axiom;
+    std::vector<Rule> rules;
+    std::vector<Macro> macros;
+    std::vector<Gain> gains;  // 1 where nothing is said
+    std::u32string ignored;   // letters that contexts look past
+    std::uint32_t iterations = 0;
+    bool grows = false;  // a subsystem: rewritten along with the others, instead of put as a whole
+    AfterRows after = AfterRows::identity;
+    bool recalls_last = false;    // R= is what the last R drew, instead of the first
+};
+
+// Words by their place: M[3][9].
+struct Array {
+    std::string name;
+    std::vector<std::uint32_t> sizes;
+    std::vector<Pattern> cells;  // row by row
+};
+
+struct Register {
+    std::string name;
+    double value = 0;
+};
+
+struct Grammar {
+    std::vector<System> systems = std::vector<System>(1);
+    std::vector<Array> arrays;
+    std::vector<Register> registers;  // with what they begin with
+    AgeMode ages = AgeMode::position;
+    DrawMode draws = DrawMode::lineage;
+};
+
+}  // namespace filigree::rewriting

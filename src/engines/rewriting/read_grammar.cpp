@@ -1,0 +1,416 @@
+#include "engines/rewriting/read_grammar.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "engines/rewriting/pattern.h"
+#include "language/word_settings.h"
+
+namespace filigree::rewriting {
+namespace {
+
+constexpr double most_iterations = 1e6;
+constexpr std::size_t most_cells = 1'000'000;
+constexpr double most_letters = 1e6;  // of a macro
+
+std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+std::string quoted(char32_t letter) { return "'" + to_utf8(std::u32string(1, letter)) + "'"; }
+
+class GrammarReader {
+public:
+    GrammarReader(const Settings& settings, const Document& document) : settings_(settings), document_(document) {}
+
+    Result<Grammar> run() {
+        find_registers_and_arrays(document_.statements);
+        read_system(document_.statements, 0, {});
+        const bool failed = has_errors(diagnostics_);
+        if (failed) return std::move(diagnostics_);
+        return Result<Grammar>(std::move(grammar_), std::move(diagnostics_));
+    }
+
+private:
+    void report(Diagnostic diagnostic) { diagnostics_.push_back(std::move(diagnostic)); }
+
+    // --- values ---
+
+    // The word that an expression is, such as the q of `gain q 1`; registers and params are no such words.
+    static const std::string* word_of(const ExpressionPtr& expression) {
+        const auto* name = std::get_if<NameReference>(&expression->node);
+        return name == nullptr ? nullptr : &name->name;
+    }
+    static const std::string* text_of(const ExpressionPtr& expression) {
+        const auto* text = std::get_if<TextLiteral>(&expression->node);
+        return text == nullptr ? nullptr : &text->text;
+    }
+    std::optional<double> number_of(const ExpressionPtr& expression) {
+        Evaluation at;
+        at.document = &document_;
+        at.scope = &settings_.globals;
+        const Result<Value> value = evaluate(*expression, at);
+        const Result<double> number = value ? as_number(*value) : Result<double>(value.diagnostics());
+        if (number) return *number;
+        for (Diagnostic problem : number.diagnostics()) report(std::move(problem));
+        return std::nullopt;
+    }
+    std::optional<double> whole_of(const ExpressionPtr& expression, double least, double most) {
+        const std::optional<double> number = number_of(expression);
+        if (!number) return std::nullopt;
+        if (*number >= least && *number <= most && *number == std::floor(*number)) return number;
+        report(error("rewriting.out-of-range",
+                     "expected a whole number from " + std::to_string(static_cast<std::int64_t>(least)) + " to " +
+                         std::to_string(static_cast<std::int64_t>(most)),
+                     expression->span));
+        return std::nullopt;
+    }
+    // One letter, bare or in quotes.
+    std::optional<char32_t> letter_of(const ExpressionPtr& expression) {
+        const std::string* said = word_of(expression) != nullptr ? word_of(expression) : text_of(expression);
+        const std::u32string letters = said == nullptr ? std::u32string() : letters_of(*said);
+        if (letters.size() == 1) return letters[0];
+        report(error("rewriting.bad-letter", "expected one letter", expression->span,
+                     {"signs are written in quotes, as in \"+\""}));
+        return std::nullopt;
+    }
+    std::size_t one_of(const ExpressionPtr& expression, std::initializer_list<std::string_view> words) {
+        const std::string* said = word_of(expression);
+        const auto found = said == nullptr ? words.end() : std::find(words.begin(), words.end(), *said);
+        if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+        std::string list;
+        for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + quoted(word);
+        report(error("rewriting.bad-word", "expected one of " + list, expression->span));
+        return 0;
+    }
+    Pattern pattern_of(const Name& text, bool frees_braces) {
+        Result<Pattern> pattern = read_pattern(text.text, text.span, frees_braces);
+        if (pattern) return std::move(*pattern);
+        for (Diagnostic problem : pattern.diagnostics()) report(std::move(problem));
+        return {};
+    }
+
+    // --- what holds for the whole document ---
+
+    void find_registers_and_arrays(const std::vector<Statement>& statements) {
+        for (const Statement& statement : statements) {
+            if (const auto* system = std::get_if<SystemStatement>(&statement.node)) {
+                find_registers_and_arrays(system->statements);
+            }
+            const auto* setting = std::get_if<SettingStatement>(&statement.node);
+            if (setting == nullptr) continue;
+            if (setting->name.text == "register") add_register(*setting);
+            if (setting->name.text == "array") add_array(*setting);
+        }
+        for (const Statement& statement : statements) {
+            if (const auto* cell = std::get_if<CellStatement>(&statement.node)) fill_cell(*cell);
+        }
+    }
+    void add_register(const SettingStatement& setting) {
+        const std::string* name = word_of(setting.values[0]);
+        if (name == nullptr || setting.values.size() > 2) return fail_usage(setting);
+        Register added{*name, 0};
+        if (setting.values.size() == 2) {
+            const std::optional<double> value = number_of(setting.values[1]);
+            if (!value) return;
+            added.value = *value;
+        }
+        for (const Register& known : grammar_.registers) {
+            if (known.name == added.name) {
+                return report(error("rewriting.doubled-name", "the register " + quoted(*name) + " is already there",
+                                    setting.name.span));
+            }
+        }
+        grammar_.registers.push_back(std::move(added));
+    }
+    void add_array(const SettingStatement& setting) {
+        const std::string* name = word_of(setting.values[0]);
+        if (name == nullptr || setting.values.size() < 2) return fail_usage(setting);
+        Array array{*name, {}, {}};
+        std::size_t cells = 1;
+        for (std::size_t i = 1; i < setting.values.size(); ++i) {
+            const auto* list = std::get_if<ListExpression>(&setting.values[i]->node);
+            if (list == nullptr || list->items.size() != 1) return fail_usage(setting);
+            const std::optional<double> size = whole_of(list->items[0], 1, most_cells);
+            if (!size) return;
+            array.sizes.push_back(static_cast<std::uint32_t>(*size));
+            cells *= array.sizes.back();
+            if (cells > most_cells) {
+                return report(error("rewriting.out-of-range", "an array may have a million cells, this has more",
+                                    setting.name.span));
+            }
+        }
+        array.cells.resize(cells);
+        for (const Array& known : grammar_.arrays) {
+            if (known.name == array.name) {
+                return report(error("rewriting.doubled-name", "the array " + quoted(*name) + " is already there",
+                                    setting.name.span));
+            }
+        }
+        grammar_.arrays.push_back(std::move(array));
+    }
+    void fill_cell(const CellStatement& cell) {
+        const auto array = std::find_if(grammar_.arrays.begin(), grammar_.arrays.end(),
+                                        [&](const Array& known) { return known.name == cell.array.text; });
+        if (array == grammar_.arrays.end() || array->sizes.size() != cell.indexes.size()) {
+            return report(unknown_array(cell.array));
+        }
+        std::size_t at = 0;
+        for (std::size_t i = 0; i < cell.indexes.size(); ++i) {
+            const std::optional<double> index = whole_of(cell.indexes[i], 0, array->sizes[i] - 1.0);
+            if (!index) return;
+            at = at * array->sizes[i] + static_cast<std::size_t>(*index);
+        }
+        array->cells[at] = pattern_of(cell.text, false);
+    }
+    Diagnostic unknown_array(const Name& name) {
+        std::vector<std::string_view> names;
+        for (const Array& array : grammar_.arrays) names.push_back(array.name);
+        std::vector<std::string> hints = did_you_mean(name.text, names);
+        if (hints.empty()) hints.push_back("an array is declared as in 'array M [10] [10]'");
+        return error("rewriting.unknown-array", "there is no array " + quoted(name.text) + " with so many indexes",
+                     name.span, std::move(hints));
+    }
+
+    // --- one system ---
+
+    void read_system(const std::vector<Statement>& statements, std::size_t which, const Name& name) {
+        grammar_.systems[which].letter = name.text.empty() ? U'\0' : letters_of(name.text)[0];
+        read_subsystems(statements, which);
+        bool frees_braces = false;
+        for (const Statement& statement : statements) {
+            const auto* setting = std::get_if<SettingStatement>(&statement.node);
+            if (setting != nullptr && setting->name.text == "free") read_free(*setting, which, frees_braces);
+            if (const auto* macro = std::get_if<MacroStatement>(&statement.node)) read_macro(*macro, which);
+        }
+        std::set<std::string_view> said;
+        const Name* axiom = nullptr;
+        for (const Statement& statement : statements) {
+            if (const auto* setting = std::get_if<SettingStatement>(&statement.node)) {
+                const bool may_repeat = setting->name.text == "free" || setting->name.text == "array" ||
+                                        setting->name.text == "register" || setting->name.text == "gain";
+                if (!may_repeat && !said.insert(setting->name.text).second) {
+                    report(error("rewriting.repeated-setting", "found a second " + quoted(setting->name.text),
+                                 setting->name.span));
+                    continue;
+                }
+                if (setting->name.text == "axiom") axiom = &setting->name;
+                read_setting(*setting, which, frees_braces);
+            }
+            if (const auto* rule = std::get_if<WordRule>(&statement.node)) {
+                read_rule(*rule, statement.span, which, frees_braces);
+            }
+        }
+        if (axiom == nullptr) {
+            const SourceSpan at = which == 0 ? settings_.engine_span : name.span;
+            report(error("rewriting.missing-axiom", "there is no axiom to begin with", at,
+                         {"write it as in 'axiom \"a\"'"}));
+        }
+    }
+
+    void read_subsystems(const std::vector<Statement>& statements, std::size_t which) {
+        for (const Statement& statement : statements) {
+            const auto* inner = std::get_if<SystemStatement>(&statement.node);
+            if (inner == nullptr) continue;
+            const std::u32string letters = letters_of(inner->name.text);
+            if (letters.size() != 1) continue;
+            const bool is_known = std::any_of(grammar_.systems.begin() + 1, grammar_.systems.end(),
+                                              [&](const System& known) { return known.letter == letters[0]; });
+            if (is_known) {
+                report(error("rewriting.doubled-name", "the system " + quoted(inner->name.text) + " is already there",
+                             inner->name.span));
+                continue;
+            }
+            grammar_.systems[which].roles.subsystems += letters;
+            grammar_.systems.emplace_back();
+            read_system(inner->statements, grammar_.systems.size() - 1, inner->name);
+        }
+    }
+
+    void read_free(const SettingStatement& setting, std::size_t which, bool& frees_braces) {
+        for (const ExpressionPtr& value : setting.values) {
+            const std::string* said = word_of(value) != nullptr ? word_of(value) : text_of(value);
+            if (said == nullptr) return fail_usage(setting);
+            for (const char32_t letter : letters_of(*said)) {
+                grammar_.systems[which].roles.free(letter);
+                frees_braces = frees_braces || letter == U'{' || letter == U'}';
+            }
+        }
+    }
+
+    void read_macro(const MacroStatement& statement, std::size_t which) {
+        System& system = grammar_.systems[which];
+        Macro macro;
+        const std::u32string letters = letters_of(statement.symbol.text);
+        if (letters.size() != 1) {
+            return report(error("rewriting.bad-letter", "a blank is no symbol", statement.symbol.span));
+        }
+        macro.letter = letters[0];
+        macro.letters = letters_of(statement.letters.text);
+        macro.is_unique = statement.is_unique;
+        const auto* range = std::get_if<RangeExpression>(&statement.length->node);
+        const std::optional<double> low = whole_of(range ? range->low : statement.length, 0, most_letters);
+        const std::optional<double> high = range ? whole_of(range->high, 0, most_letters) : low;
+        if (!low || !high) return;
+        if (*high < *low || macro.letters.empty()) {
+            return report(error("rewriting.bad-macro",
+                                macro.letters.empty() ? "there are no letters to draw from" : "this range is empty",
+                                macro.letters.empty() ? statement.letters.span : statement.length->span));
+        }
+        macro.low = static_cast<std::uint32_t>(*low);
+        macro.high = static_cast<std::uint32_t>(*high);
+        for (const Macro& known : system.macros) {
+            if (known.letter == macro.letter) {
+                return report(
+                    error("rewriting.doubled-name", quoted(macro.letter) + " is already there", statement.symbol.span));
+            }
+        }
+        system.roles.free(macro.letter);
+        system.roles.macros += macro.letter;
+        system.macros.push_back(std::move(macro));
+    }
+
+    void fail_usage(const SettingStatement& setting) {
+        const WordSetting* known = find_word_setting(setting.name.text);
+        report(error("rewriting.bad-setting", quoted(setting.name.text) + " does not take these values",
+                     setting.name.span, {"write it as in '" + std::string(known->example) + "'"}));
+    }
+    bool has_one_value(const SettingStatement& setting) {
+        if (setting.values.size() != 1) fail_usage(setting);
+        return setting.values.size() == 1;
+    }
+
+    void read_setting(const SettingStatement& setting, std::size_t which, bool frees_braces) {
+        System& system = grammar_.systems[which];
+        const std::string& name = setting.name.text;
+        const ExpressionPtr& value = setting.values[0];
+        if (name == "free" || name == "array" || name == "register") return;
+        if (name == "gain") return read_gain(setting, system);
+        if (!has_one_value(setting)) return;
+        if (name == "dialect") {
+            one_of(value, {"gdesign"});
+        } else if (name == "axiom") {
+            const std::string* text = text_of(value);
+            if (text == nullptr) return fail_usage(setting);
+            system.axiom = pattern_of({*text, value->span}, frees_braces);
+        } else if (name == "iterations") {
+            if (const auto count = whole_of(value, 0, most_iterations)) {
+                system.iterations = static_cast<std::uint32_t>(*count);
+            }
+        } else if (name == "after") {
+            system.after = static_cast<AfterRows>(one_of(value, {"identity", "hold", "cycle"}));
+        } else if (name == "memory") {
+            system.recalls_last = one_of(value, {"first", "last"}) == 1;
+        } else if (name == "random") {
+            grammar_.draws = static_cast<DrawMode>(one_of(value, {"lineage", "position"}));
+        } else if (name == "ages") {
+            grammar_.ages = static_cast<AgeMode>(one_of(value, {"position", "lineage"}));
+        } else if (name == "ignore") {
+            const std::string* text = text_of(value);
+            if (text == nullptr) return fail_usage(setting);
+            system.ignored = letters_of(*text);
+        } else if (name == "mode") {
+            system.grows = one_of(value, {"instant", "grow"}) == 1;
+        }
+    }
+    void read_gain(const SettingStatement& setting, System& system) {
+        if (setting.values.size() % 2 != 0) return fail_usage(setting);
+        for (std::size_t i = 0; i < setting.values.size(); i += 2) {
+            const std::optional<char32_t> letter = letter_of(setting.values[i]);
+            const std::optional<double> by = whole_of(setting.values[i + 1], 0, 1e9);
+            if (letter && by) system.gains.push_back({*letter, static_cast<std::uint32_t>(*by)});
+        }
+    }
+
+    void read_rule(const WordRule& said, SourceSpan span, std::size_t which, bool frees_braces) {
+        const Roles roles = grammar_.systems[which].roles;
+        Rule rule;
+        const std::u32string letters = letters_of(said.symbol.text);
+        if (letters.size() != 1) {
+            return report(error("rewriting.bad-letter", "a blank is no symbol", said.symbol.span));
+        }
+        rule.letter = letters[0];
+        rule.left = letters_of(said.left.text);
+        rule.right = letters_of(said.right.text);
+        rule.first = said.first;
+        rule.last = said.last;
+        rule.loop = said.loop;
+        rule.condition = said.condition;
+        rule.span = span;
+        const Role role = roles.of(rule.letter);
+        const bool has_rules = role == Role::ordinary || role == Role::ordinal || role == Role::follower;
+        if (!has_rules) {
+            return report(error("rewriting.special-letter",
+                                quoted(rule.letter) + " has a meaning of its own, so no rule rewrites it",
+                                said.symbol.span, {"'free " + said.symbol.text + "' makes it an ordinary letter"}));
+        }
+        for (const Name* context : {&said.left, &said.right}) check_brackets(*context);
+        for (const WordSuccessor& successor : said.successors) read_successor(successor, rule, frees_braces);
+        for (const WordAssignment& assignment : said.assignments) {
+            const bool is_known =
+                std::any_of(grammar_.registers.begin(), grammar_.registers.end(),
+                            [&](const Register& known) { return known.name == assignment.name.text; });
+            if (is_known) {
+                rule.assignments.push_back({assignment.name.text, assignment.value});
+                continue;
+            }
+            std::vector<std::string_view> names;
+            for (const Register& known : grammar_.registers) names.push_back(known.name);
+            std::vector<std::string> hints = did_you_mean(assignment.name.text, names);
+            if (hints.empty()) hints.push_back("a register is declared as in 'register ix 3'");
+            report(error("rewriting.unknown-register", "there is no register " + quoted(assignment.name.text),
+                         assignment.name.span, std::move(hints)));
+        }
+        System& system = grammar_.systems[which];
+        std::uint64_t like_it = 0;
+        for (const Rule& known : system.rules) like_it += known.letter == rule.letter ? 1 : 0;
+        rule.key = child(Key{rule.letter}, like_it);
+        system.rules.push_back(std::move(rule));
+    }
+    void check_brackets(const Name& context) {
+        int open = 0;
+        for (const char c : context.text) {
+            open += c == '[' ? 1 : c == ']' ? -1 : 0;
+            if (open < 0) break;
+        }
+        if (open != 0) {
+            report(error("rewriting.unmatched-bracket", "the brackets of this context do not match", context.span));
+        }
+    }
+    void read_successor(const WordSuccessor& said, Rule& rule, bool frees_braces) {
+        Successor successor;
+        successor.weight = said.weight;
+        successor.span = said.span;
+        if (said.target) {
+            successor.kind = Successor::Kind::jump;
+            const std::u32string target = letters_of(said.target->text);
+            if (target.size() != 1) {
+                return report(error("rewriting.bad-letter", "a blank is no symbol", said.target->span));
+            }
+            successor.target = target[0];
+            successor.target_iteration = said.iteration;
+        } else if (said.array) {
+            successor.kind = Successor::Kind::cell;
+            successor.array = said.array->text;
+            successor.indexes = said.indexes;
+            const bool is_known = std::any_of(grammar_.arrays.begin(), grammar_.arrays.end(), [&](const Array& array) {
+                return array.name == said.array->text && array.sizes.size() == said.indexes.size();
+            });
+            if (!is_known) report(unknown_array(*said.array));
+        } else {
+            successor.pattern = pattern_of(*said.text, frees_braces);
+        }
+        rule.successors.push_back(std::move(successor));
+    }
+
+    const Settings& settings_;
+    const Document& document_;
+    Grammar grammar_;
+    Diagnostics diagnostics_;
+};
+
+}  // namespace
+
+Result<Grammar> read_grammar(const Settings& settings, const Document& document) {
+    return GrammarReader(settings, document).run();
+}
+
+}  // namespace filigree::rewriting

@@ -1,0 +1,14 @@
+// From a document's statements to a grammar, with everything that is wrong with them.
+#pragma once
+
+#include "base/result.h"
+#include "engines/rewriting/grammar.h"
+#include "language/document.h"
+#include "language/settings.h"
+
+namespace filigree::rewriting {
+
+// What is `system X { ... }` with one letter is a subsystem. Lengths and numbers may use the names of the document.
+Result<Grammar> read_grammar(const Settings& settings, const Document& document);
+
+}  // namespace filigree::rewriting

@@ -1,0 +1,26 @@
+// A word: what a derivation is made of, one byte a symbol.
+//
+// Beside the bytes stand columns that only some grammars need; each holds an entry for every symbol that is no '=',
+// in the order of the word, or nothing at all.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engines/rewriting/symbols.h"
+
+namespace filigree::rewriting {
+
+struct Word {
+    std::vector<Symbol> symbols;
+    std::vector<std::uint32_t> origins;  // of an ñ: which n it came from, from 1; else 0
+    std::vector<std::uint64_t> keys;     // whom a symbol descends from: what it draws by
+    std::vector<std::uint32_t> ages;     // in the mode of the grammar
+
+    std::size_t size() const { return symbols.size(); }
+};
+
+std::string to_text(const Word& word, const Alphabet& alphabet);
+
+}  // namespace filigree::rewriting

@@ -1,0 +1,19 @@
+// What a rewriting document says of its words in one form, NAME and values: the closed table that the parser, its
+// messages and the reference read.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace filigree {
+
+struct WordSetting {
+    std::string_view name;
+    std::string_view example;  // as a document writes it
+    std::string_view help;     // one line, lower case, no full stop
+};
+
+std::span<const WordSetting> word_settings();
+const WordSetting* find_word_setting(std::string_view name);
+
+}  // namespace filigree
