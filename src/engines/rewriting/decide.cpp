@@ -1,6 +1,7 @@
 #include "engines/rewriting/decide.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -28,8 +29,11 @@ public:
         const std::size_t known = derivation_.alphabet.size();
         plan_.entries.resize(known);
         candidates_.resize(known);
+        std::array<bool, max_symbols> stands{};  // in the word
+        for (const Symbol symbol : derivation_.word.symbols) stands[symbol] = true;
         bool must_decide = false;
         for (std::size_t s = 0; s < known; ++s) {
+            if (!stands[s]) continue;
             if (!plan_symbol(static_cast<Symbol>(s))) return std::move(*problem_);
             must_decide = must_decide || plan_.entries[s].image == StepPlan::decided;
         }
@@ -77,10 +81,12 @@ private:
         }
         return true;
     }
-    // To the row that serves the next iteration; `row` is behind the last where none does.
     bool advance_row(std::uint32_t scope, char32_t letter, const std::vector<const Rule*>& rules) {
         const auto [at, is_new] = derivation_.rows.try_emplace({scope, letter});
-        Derivation::Row& row = at->second;
+        return advance(at->second, is_new, scope, rules);
+    }
+    // To the row that serves the next iteration; `row.row` is behind the last where none does.
+    bool advance(Derivation::Row& row, bool is_new, std::uint32_t scope, const std::vector<const Rule*>& rules) {
         const auto count = static_cast<std::uint32_t>(rules.size());
         if (row.row == count) return true;
         if (!is_new) {
@@ -113,6 +119,10 @@ private:
 
     // --- what becomes of a symbol ---
 
+    static bool serves(const Rule& rule, std::uint32_t iteration) {
+        return rule.first <= iteration && iteration <= rule.last;
+    }
+
     // The rules that may apply to a letter in an iteration of its system, in their order.
     std::vector<const Rule*> candidates(std::uint32_t scope, char32_t letter, std::uint32_t iteration) const {
         std::vector<const Rule*> rules = rules_of(system_of(scope), letter);
@@ -121,7 +131,7 @@ private:
             if (row == derivation_.rows.end() || row->second.row >= rules.size()) return {};
             rules = {rules[row->second.row]};
         }
-        std::erase_if(rules, [&](const Rule* rule) { return iteration < rule->first || iteration > rule->last; });
+        std::erase_if(rules, [&](const Rule* rule) { return !serves(*rule, iteration); });
         return rules;
     }
 
@@ -163,7 +173,7 @@ private:
         const bool is_certain = first.left.empty() && first.right.empty() && !first.condition &&
                                 first.assignments.empty() && first.successors.size() == 1;
         if (!is_certain || !is_fixed(first.successors[0])) return true;
-        const std::optional<std::uint32_t> image = image_of(first.successors[0], entry.scope, names_);
+        const std::optional<std::uint32_t> image = image_of(first.successors[0], entry.scope, 0, names_);
         if (!image) return false;
         planned.image = *image;
         return true;
@@ -192,19 +202,14 @@ private:
     }
 
     // What a successor puts; fixed ones once an iteration.
-    std::optional<std::uint32_t> image_of(const Successor& successor, std::uint32_t scope, const Scope& names) {
+    std::optional<std::uint32_t> image_of(const Successor& successor, std::uint32_t scope, std::size_t index,
+                                          const Scope& names) {
         const bool is_fixed_one = is_fixed(successor);
         if (is_fixed_one) {
             const auto known = images_of_.find({scope, &successor});
             if (known != images_of_.end()) return known->second;
         }
-        if (successor.kind == Successor::Kind::jump) {
-            const std::vector<const Rule*> targets = candidates(scope, successor.target, successor.target_iteration);
-            if (targets.empty() || targets.front()->successors.front().kind == Successor::Kind::jump) {
-                return kept_image();
-            }
-            return image_of(targets.front()->successors.front(), scope, names);
-        }
+        if (successor.kind == Successor::Kind::jump) return image_of_jump(successor, scope, index, names);
         const Pattern* pattern = &successor.pattern;
         if (successor.kind == Successor::Kind::cell) pattern = cell_of(successor, names);
         if (pattern == nullptr) return std::nullopt;
@@ -212,6 +217,31 @@ private:
         if (image && is_fixed_one) images_of_[{scope, &successor}] = *image;
         return image;
     }
+    // What the target's first rule puts in that iteration; drawn among its successors by the symbol that jumps.
+    std::optional<std::uint32_t> image_of_jump(const Successor& jump, std::uint32_t scope, std::size_t index,
+                                               const Scope& names) {
+        const std::vector<const Rule*> rules = rules_of(system_of(scope), jump.target);
+        const Rule* target = nullptr;
+        if (are_rows(rules)) {
+            Derivation::Row row;
+            for (std::uint32_t t = 1; t <= jump.target_iteration; ++t) {
+                if (!advance(row, t == 1, scope, rules)) return std::nullopt;
+            }
+            if (row.row < rules.size()) target = rules[row.row];
+            if (target != nullptr && !serves(*target, jump.target_iteration)) target = nullptr;
+        } else {
+            const std::vector<const Rule*> serving = candidates(scope, jump.target, jump.target_iteration);
+            if (!serving.empty()) target = serving.front();
+        }
+        if (target == nullptr) return kept_image();
+        const std::optional<std::size_t> which = draw_successor(*target, index, names);
+        if (!which) return std::nullopt;
+        if (*which == target->successors.size()) return kept_image();
+        const Successor& successor = target->successors[*which];
+        if (successor.kind == Successor::Kind::jump) return kept_image();
+        return image_of(successor, scope, index, names);
+    }
+
     std::optional<std::uint32_t> image_of_pattern(const Pattern& pattern, std::uint32_t scope, const Scope& names) {
         const Result<std::u32string> letters = expanded(
             pattern, options_.limits.elements, [&](const ExpressionPtr& count) { return value_of(count, names); });
@@ -326,7 +356,7 @@ private:
         for (const Rule* rule : candidates_[symbol]) {
             if (!rule->left.empty() && !contexts().has_left(place, rule->left, system.ignored)) continue;
             if (!rule->right.empty() && !contexts().has_right(place, rule->right, system.ignored)) continue;
-            Scope names = facts_at(index);
+            Scope names = facts_at(index, clock_of(entry.scope));
             if (rule->condition) {
                 const std::optional<bool> holds = does_hold(rule->condition, names);
                 if (!holds) return std::nullopt;
@@ -336,7 +366,7 @@ private:
             if (!which) return std::nullopt;
             if (*which == rule->successors.size()) return kept_image();
             if (!assign(*rule, names)) return std::nullopt;
-            return image_of(rule->successors[*which], entry.scope, names);
+            return image_of(rule->successors[*which], entry.scope, index, names);
         }
         return kept_image();
     }
@@ -378,11 +408,11 @@ private:
         return std::nullopt;
     }
 
-    // What is known of a symbol: t is the iteration, `index` its place among the symbols of the word, from 0.
-    Scope facts_at(std::size_t index) {
+    // What is known of a symbol: t is the iteration of its system, `index` its place among the symbols of the word.
+    Scope facts_at(std::size_t index, std::uint32_t clock) {
         Scope facts;
         facts.outer = &names_;
-        facts.names["t"] = number(next_iteration());
+        facts.names["t"] = number(clock);
         facts.names["index"] = number(static_cast<double>(index));
         const Word& word = derivation_.word;
         if (!word.ages.empty()) facts.names["age"] = number(word.ages[index]);

@@ -1,6 +1,8 @@
 #include "engines/rewriting/derive.h"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 
 #include "engines/rewriting/decide.h"
 #include "engines/rewriting/pattern.h"
@@ -12,29 +14,66 @@ using Kind = StepPlan::Kind;
 
 constexpr std::uint64_t too_many = UINT64_MAX / 2;
 
+// What most symbols become most of the time, so that one look and one wide store do for each: short fixed images, and
+// symbols that stay. Others are `slow`.
+struct QuickTable {
+    static constexpr std::size_t width = 32;
+    static constexpr std::uint8_t slow = 255;
+
+    std::array<std::array<Symbol, width>, max_symbols> images{};
+    std::array<std::uint8_t, max_symbols> sizes;
+
+    QuickTable(const StepPlan& plan, const Alphabet& alphabet) {
+        sizes.fill(slow);
+        for (std::size_t s = 0; s < plan.entries.size(); ++s) {
+            const StepPlan::Entry& entry = plan.entries[s];
+            const Role role = alphabet[static_cast<Symbol>(s)].role;
+            if (role == Role::freeze || role == Role::ordinal) continue;
+            if (entry.kind == Kind::keep) {
+                images[s][0] = static_cast<Symbol>(s);
+                sizes[s] = 1;
+            }
+            if (entry.kind != Kind::put || entry.image == StepPlan::decided) continue;
+            const Image& image = plan.images[entry.image];
+            if (image.is_kept || image.symbols.size() > width) continue;
+            std::copy(image.symbols.begin(), image.symbols.end(), images[s].begin());
+            sizes[s] = static_cast<std::uint8_t>(image.symbols.size());
+        }
+    }
+};
+
 // Counts what is put.
 struct Counting {
+    static constexpr bool is_quick = true;
     std::uint64_t symbols = 0;
+
+    void put_quickly(const std::array<Symbol, QuickTable::width>&, std::uint8_t count) { symbols += count; }
 
     void put(const Symbol*, std::uint64_t count, std::size_t) { add(count); }
     void put_times(const Symbol*, std::uint64_t count, std::uint64_t times, std::size_t, std::uint32_t) {
         add(count != 0 && times > too_many / count ? too_many : count * times);
     }
-    void copy_all(const Word& word) { add(word.size()); }
+    void copy_all(const Word& word, std::size_t) { add(word.size()); }
     void keep(const Word&, std::size_t, std::size_t freezes) { add(1 + freezes); }
     void repeat(Symbol, std::uint64_t count, std::size_t) { add(count); }
     void add(std::uint64_t count) { symbols = std::min(too_many, symbols + count); }
 };
 
-// Writes symbols alone.
+// Writes symbols alone; there must be room for a wide store behind the last.
 struct Writing {
+    static constexpr bool is_quick = true;
     Symbol* to = nullptr;
+
+    void put_quickly(const std::array<Symbol, QuickTable::width>& symbols, std::uint8_t count) {
+        std::memcpy(to, symbols.data(), QuickTable::width);
+        to += count;
+    }
 
     void put(const Symbol* symbols, std::uint64_t count, std::size_t) { to = std::copy_n(symbols, count, to); }
     void put_times(const Symbol* symbols, std::uint64_t count, std::uint64_t times, std::size_t, std::uint32_t) {
         for (; times > 0; --times) to = std::copy_n(symbols, count, to);
     }
-    void copy_all(const Word& word) { to = std::copy(word.symbols.begin(), word.symbols.end(), to); }
+    void copy_all(const Word& word, std::size_t) { to = std::copy(word.symbols.begin(), word.symbols.end(), to); }
     void keep(const Word& word, std::size_t place, std::size_t freezes) {
         *to++ = word.symbols[place];
         to = std::fill_n(to, freezes, Alphabet::freeze);
@@ -45,6 +84,8 @@ struct Writing {
 // Writes all columns that the old word has.
 class WritingColumns {
 public:
+    static constexpr bool is_quick = false;
+
     WritingColumns(const Word& from, const Alphabet& alphabet, bool ages_by_lineage)
         : from_(from), alphabet_(alphabet), ages_by_lineage_(ages_by_lineage) {
         stays.assign(from.ages.size(), 0);
@@ -70,15 +111,18 @@ public:
         }
         if (was_met) set_stays(place);
     }
-    void copy_all(const Word& word) {
-        const std::size_t place = self_place_;
+    void copy_all(const Word& word, std::size_t place) {
         std::size_t other = 0;
+        bool was_met = false;
         for (const Symbol symbol : word.symbols) {
             if (symbol == Alphabet::freeze) {
                 out.symbols.push_back(symbol);
                 continue;
             }
-            add(symbol, word.origins.empty() ? 0 : word.origins[other], child_key(place), 1);
+            const bool inherits = !was_met && alphabet_[symbol].letter == letter_at(place);
+            was_met = was_met || inherits;
+            add(symbol, word.origins.empty() ? 0 : word.origins[other], child_key(place),
+                inherits ? age_at(place) + 1 : 1);
             ++other;
         }
         set_stays(place);
@@ -93,9 +137,9 @@ public:
         for (; count > 0; --count) add(symbol, 0, child_key(place), 1);
     }
 
-    // Which symbol of the old word is meant, without '='; `self_place_` is for copy_all.
+    // Which symbol of the old word comes next, counted without '='.
     void at(std::size_t index) {
-        self_place_ = index_ = index;
+        index_ = index;
         children_ = 0;
     }
 
@@ -121,7 +165,7 @@ private:
     const Word& from_;
     const Alphabet& alphabet_;
     const bool ages_by_lineage_;
-    std::size_t index_ = 0, self_place_ = 0;
+    std::size_t index_ = 0;
     std::uint64_t children_ = 0;
 };
 
@@ -134,15 +178,26 @@ template <class Out>
 void rewrite(const Word& word, const Alphabet& alphabet, const StepPlan& plan, Out& out) {
     const std::vector<Symbol>& symbols = word.symbols;
     const bool has_freezes = std::find(symbols.begin(), symbols.end(), Alphabet::freeze) != symbols.end();
+    const QuickTable quick(plan, alphabet);
     std::size_t decided = 0, index = 0;
     std::uint32_t ordinal = 0;
     for (std::size_t place = 0; place < symbols.size(); ++index) {
         const Symbol symbol = symbols[place];
+        if constexpr (Out::is_quick) {
+            const std::uint8_t size = quick.sizes[symbol];
+            const bool is_awake = !has_freezes || place + 1 == symbols.size() || symbols[place + 1] != Alphabet::freeze;
+            if (size != QuickTable::slow && is_awake) {
+                out.put_quickly(quick.images[symbol], size);
+                ++place;
+                continue;
+            }
+        }
         const StepPlan::Entry& entry = plan.entries[symbol];
         tell_place(out, index);
         const std::size_t freezes = has_freezes ? freezes_behind(symbols, place) : 0;
-        if (entry.kind == Kind::multiply) ++ordinal;
-        if (entry.kind != Kind::count && is_asleep(alphabet[symbol], freezes)) {
+        if (alphabet[symbol].role == Role::ordinal) ++ordinal;
+        const bool stays = is_asleep(alphabet[symbol], freezes) || (entry.kind == Kind::keep && freezes > 0);
+        if (stays && entry.kind != Kind::count) {
             out.keep(word, place, freezes - 1);
             place += 1 + freezes;
             continue;
@@ -176,7 +231,7 @@ void rewrite(const Word& word, const Alphabet& alphabet, const StepPlan& plan, O
                 break;
             }
             case Kind::repeat:
-                out.copy_all(word);
+                out.copy_all(word, place);
                 break;
             case Kind::count: {
                 // The run, to the first frozen member; then perhaps its inverter.
@@ -209,12 +264,14 @@ void rewrite(const Word& word, const Alphabet& alphabet, const StepPlan& plan, O
 }
 
 // Whether a symbol is as old as the place that it holds ("whenever a symbol maintains in the same position").
-void set_ages_by_position(const Word& from, const std::vector<std::uint8_t>& stays, Word& to) {
+void set_ages_by_position(const Word& from, const Alphabet& alphabet, const std::vector<std::uint8_t>& stays,
+                          Word& to) {
     std::size_t old_place = 0, place = 0;
     for (std::size_t index = 0; index < to.ages.size() && index < from.ages.size(); ++index, ++old_place, ++place) {
         while (from.symbols[old_place] == Alphabet::freeze) ++old_place;
         while (to.symbols[place] == Alphabet::freeze) ++place;
-        if (stays[index] != 0 && from.symbols[old_place] == to.symbols[place]) to.ages[index] = from.ages[index] + 1;
+        const bool is_alike = alphabet[from.symbols[old_place]].letter == alphabet[to.symbols[place]].letter;
+        if (stays[index] != 0 && is_alike) to.ages[index] = from.ages[index] + 1;
     }
 }
 
@@ -223,6 +280,23 @@ void drop_leading_freezes(std::vector<Symbol>& symbols) {
     const auto first =
         std::find_if(symbols.begin(), symbols.end(), [](Symbol symbol) { return symbol != Alphabet::freeze; });
     symbols.erase(symbols.begin(), first);
+}
+
+Word rewritten(const Word& word, const Alphabet& alphabet, const StepPlan& plan, std::uint64_t symbols, AgeMode mode) {
+    if (word.origins.empty() && word.keys.empty() && word.ages.empty()) {
+        Word made;
+        made.symbols.resize(symbols + QuickTable::width);
+        Writing writing{made.symbols.data()};
+        rewrite(word, alphabet, plan, writing);
+        made.symbols.resize(symbols);
+        return made;
+    }
+    WritingColumns writing(word, alphabet, mode == AgeMode::lineage);
+    writing.out.symbols.reserve(symbols);
+    rewrite(word, alphabet, plan, writing);
+    if (!word.ages.empty() && mode == AgeMode::position)
+        set_ages_by_position(word, alphabet, writing.stays, writing.out);
+    return std::move(writing.out);
 }
 
 std::optional<Diagnostic> too_large(std::uint64_t symbols, const Word& like, std::uint32_t iteration,
@@ -247,18 +321,24 @@ bool mentions(const std::vector<Pattern::Part>& parts, const std::u32string& let
     });
 }
 
+// Whether a symbol with an origin may arise, in any system.
 bool has_followers(const Grammar& grammar) {
-    return std::any_of(grammar.systems.begin(), grammar.systems.end(), [](const System& system) {
-        const std::u32string& letters = system.roles.followers;
-        if (letters.empty()) return false;
-        if (mentions(system.axiom.parts, letters)) return true;
+    std::u32string letters;
+    for (const System& system : grammar.systems) letters += system.roles.followers;
+    const auto is_met = [&](const Pattern& pattern) { return mentions(pattern.parts, letters); };
+    if (letters.empty()) return false;
+    for (const Array& array : grammar.arrays) {
+        if (std::any_of(array.cells.begin(), array.cells.end(), is_met)) return true;
+    }
+    for (const System& system : grammar.systems) {
+        if (is_met(system.axiom)) return true;
         for (const Rule& rule : system.rules) {
             for (const Successor& successor : rule.successors) {
-                if (mentions(successor.pattern.parts, letters)) return true;
+                if (is_met(successor.pattern)) return true;
             }
         }
-        return false;
-    });
+    }
+    return false;
 }
 
 bool draws(const Grammar& grammar) {
@@ -292,11 +372,14 @@ Result<Derivation> begin(const Grammar& grammar, const DeriveOptions& options, s
     Derivation derivation;
     derivation.scopes.push_back({which, 0});
     derivation.registers = grammar.registers;
+    Scope names;
+    names.outer = options.globals;
+    for (const Register& known : grammar.registers) names.names[known.name] = Value{Quantity{known.value}, {}};
+    Evaluation at;
+    at.document = options.document;
+    at.scope = &names;
     const Result<std::u32string> axiom =
         expanded(system.axiom, options.limits.elements, [&](const ExpressionPtr& count) -> Result<double> {
-            Evaluation at;
-            at.document = options.document;
-            at.scope = options.globals;
             const Result<Value> value = evaluate(*count, at);
             if (!value) return value.diagnostics();
             return as_number(*value);
@@ -323,31 +406,26 @@ Result<Derivation> begin(const Grammar& grammar, const DeriveOptions& options, s
 
 std::optional<Diagnostic> step(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options,
                                const Job& job) {
+    // All but the word is copied, so that an error can leave it as it was.
+    Word word = std::move(derivation.word);
     Derivation next = derivation;
-    Result<StepPlan> plan = plan_step(next, grammar, options, job);
-    if (!plan) return plan.diagnostics().front();
+    next.word = std::move(word);
+    const auto give_up = [&](Diagnostic problem) {
+        derivation.word = std::move(next.word);
+        return std::optional(std::move(problem));
+    };
+    const Result<StepPlan> plan = plan_step(next, grammar, options, job);
+    if (!plan) return give_up(plan.diagnostics().front());
     ++next.iteration;
-    const Word& word = derivation.word;
     Counting counting;
-    rewrite(word, next.alphabet, *plan, counting);
-    if (std::optional<Diagnostic> problem = too_large(counting.symbols, word, next.iteration, options.limits)) {
-        return problem;
+    rewrite(next.word, next.alphabet, *plan, counting);
+    if (std::optional<Diagnostic> problem = too_large(counting.symbols, next.word, next.iteration, options.limits)) {
+        return give_up(std::move(*problem));
     }
-    if (is_cancelled(job)) return cancelled_diagnostic();
-    if (word.origins.empty() && word.keys.empty() && word.ages.empty()) {
-        next.word.symbols.resize(counting.symbols);
-        Writing writing{next.word.symbols.data()};
-        rewrite(word, next.alphabet, *plan, writing);
-    } else {
-        WritingColumns writing(word, next.alphabet, grammar.ages == AgeMode::lineage);
-        writing.out.symbols.reserve(counting.symbols);
-        rewrite(word, next.alphabet, *plan, writing);
-        if (!word.ages.empty() && grammar.ages == AgeMode::position) {
-            set_ages_by_position(word, writing.stays, writing.out);
-        }
-        next.word = std::move(writing.out);
-    }
-    drop_leading_freezes(next.word.symbols);
+    if (is_cancelled(job)) return give_up(cancelled_diagnostic());
+    Word made = rewritten(next.word, next.alphabet, *plan, counting.symbols, grammar.ages);
+    drop_leading_freezes(made.symbols);
+    next.word = std::move(made);
     derivation = std::move(next);
     return std::nullopt;
 }

@@ -385,6 +385,10 @@ private:
             if (target.size() != 1) {
                 return report(error("rewriting.bad-letter", "a blank is no symbol", said.target->span));
             }
+            if (said.iteration > most_iterations) {
+                return report(
+                    error("rewriting.out-of-range", "a derivation has at most a million iterations", said.span));
+            }
             successor.target = target[0];
             successor.target_iteration = said.iteration;
         } else if (said.array) {
