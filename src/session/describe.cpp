@@ -8,6 +8,7 @@
 #include "derivation/start_shapes.h"
 #include "language/evaluate.h"
 #include "language/form_value.h"
+#include "language/word_settings.h"
 #include "session/engines.h"
 
 namespace filigree {
@@ -197,9 +198,15 @@ std::string reference_markdown() {
     std::string text =
         "# Reference\n\nMade by `filigree describe --markdown` from the descriptions that the program itself uses.\n\n";
     for (const EngineInfo& engine : engines()) {
+        if (engine.operators.empty()) continue;
         text += "## Operators of `" + std::string(engine.name) + "`: " + std::string(engine.help) + "\n\n";
         for (const OperatorDescription* op : engine.operators) text += operator_markdown(*op);
     }
+    text += "## Settings of `rewriting`\n\n| setting | what it says |\n|---|---|\n";
+    for (const WordSetting& setting : word_settings()) {
+        text += "| `" + std::string(setting.example) + "` | " + std::string(setting.help) + " |\n";
+    }
+    text += "\n";
     text += "## Start shapes\n\n";
     for (const OperatorDescription& shape : start_shape_descriptions()) text += operator_markdown(shape);
     text += "## Functions\n\n| function | what it gives |\n|---|---|\n";
