@@ -63,7 +63,7 @@ struct Evaluation {
     std::vector<std::string_view> words = {};
     // Names of calls that are no functions and are kept as SymbolicCall; "*": any, with bare words as arguments.
     std::vector<std::string_view> calls = {};
-    bool words_in_calls = false;            // whether such calls take bare words as arguments in any case
+    bool words_in_calls = false;  // whether such calls take bare words as arguments in any case
     // Describes such calls, so that ranges are whole where their parameters are; null: nothing is known of them.
     const std::vector<OperatorDescription>* forms = nullptr;
     bool whole = false;                     // ranges are drawn as whole numbers, both ends included

@@ -279,7 +279,9 @@ std::optional<WordRule> Parser::read_word_rule(Name symbols) {
         return std::nullopt;
     }
     skip_line_ends();
-    if (!read_word_successors(rule) || !read_word_clauses(rule)) return std::nullopt;
+    if (!read_word_successors(rule)) return std::nullopt;
+    if (!read_clauses({{"loop", rule.loop}, {"when", rule.condition}})) return std::nullopt;
+    if (at(TokenKind::open_curly) && !read_assignments(rule)) return std::nullopt;
     return rule;
 }
 
@@ -354,21 +356,6 @@ std::optional<WordSuccessor> Parser::read_word_successor() {
     }
     successor.span = span_from(begin);
     return successor;
-}
-
-bool Parser::read_word_clauses(WordRule& rule) {
-    while (at_word("when") || at_word("loop")) {
-        const Token word = take();
-        ExpressionPtr& clause = bytes_of(word) == "when" ? rule.condition : rule.loop;
-        if (clause) {
-            fail(word, error("language.repeated-clause", "found a second " + in_quotes(bytes_of(word)) + " in one rule",
-                             span_of(word)));
-            return false;
-        }
-        clause = read_expression();
-        if (!clause) return false;
-    }
-    return !at(TokenKind::open_curly) || read_assignments(rule);
 }
 
 // { ix = ix + 1; iy = 0 }

@@ -1,4 +1,5 @@
 // [label =] operator(arguments) : tag [when CONDITION] [weight W] -> tags
+#include <algorithm>
 #include <utility>
 
 #include "language/parser.h"
@@ -34,7 +35,7 @@ std::optional<GroupRule> Parser::read_rule() {
     std::optional<Name> tag = read_tag("behind ':'");
     if (!tag) return std::nullopt;
     rule.tag = std::move(*tag);
-    if (!read_clauses(rule)) return std::nullopt;
+    if (!read_clauses({{"when", rule.condition}, {"weight", rule.weight}})) return std::nullopt;
     if (at_statement_end()) return rule;
     if (!at(TokenKind::arrow)) {
         fail_behind_tag("language.missing-arrow", "'->' and tags", true);
@@ -76,19 +77,21 @@ std::optional<OperatorCall> Parser::read_call(std::string_view example) {
     return call;
 }
 
-bool Parser::read_clauses(GroupRule& rule) {
-    while (at_word("when") || at_word("weight")) {
+// Each clause once, in any order.
+bool Parser::read_clauses(std::initializer_list<Clause> clauses) {
+    while (true) {
+        const auto found =
+            std::find_if(clauses.begin(), clauses.end(), [this](const Clause& clause) { return at_word(clause.word); });
+        if (found == clauses.end()) return true;
         const Token word = take();
-        ExpressionPtr& clause = bytes_of(word) == "when" ? rule.condition : rule.weight;
-        if (clause) {
+        if (found->value) {
             fail(word, error("language.repeated-clause", "found a second " + in_quotes(bytes_of(word)) + " in one rule",
                              span_of(word)));
             return false;
         }
-        clause = read_expression();
-        if (!clause) return false;
+        found->value = read_expression();
+        if (!found->value) return false;
     }
-    return true;
 }
 
 // What stands behind the arrow, to the end of the statement.

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <set>
@@ -151,7 +152,11 @@ private:
     bool is_rule(const Token& first, bool is_keyword) const;
     std::optional<GroupRule> read_rule();
     std::optional<OperatorCall> read_call(std::string_view example = "");
-    bool read_clauses(GroupRule& rule);
+    struct Clause {
+        std::string_view word;
+        ExpressionPtr& value;  // null until it is read
+    };
+    bool read_clauses(std::initializer_list<Clause> clauses);
     bool read_outputs(std::vector<OutputTag>& outputs, bool is_rule);
     bool read_output_list(std::vector<OutputTag>& outputs, bool is_rule);
     std::optional<OutputTag> read_output(std::string_view place);
@@ -172,7 +177,6 @@ private:
     std::optional<std::uint32_t> read_iteration();
     bool read_word_successors(WordRule& rule);
     std::optional<WordSuccessor> read_word_successor();
-    bool read_word_clauses(WordRule& rule);
     bool read_assignments(WordRule& rule);
     // Symbols up to one that stands for itself only in quotes: < > @ = and an arrow.
     std::optional<Name> read_symbols(std::string_view wanted);

@@ -87,7 +87,7 @@ struct System {
     std::uint32_t iterations = 0;
     bool grows = false;  // a subsystem: rewritten along with the others, instead of put as a whole
     AfterRows after = AfterRows::identity;
-    bool recalls_last = false;    // R= is what the last R drew, instead of the first
+    bool recalls_last = false;  // R= is what the last R drew, instead of the first
 };
 
 // Words by their place: M[3][9].
