@@ -251,9 +251,8 @@ private:
     }
 
     const Pattern* cell_of(const Successor& successor, const Scope& names) {
-        const auto array = std::find_if(grammar_.arrays.begin(), grammar_.arrays.end(),
-                                        [&](const Array& known) { return known.name == successor.array; });
-        if (array == grammar_.arrays.end() || array->sizes.size() != successor.indexes.size()) {
+        const Array* array = find_named(grammar_.arrays, successor.array);
+        if (array == nullptr || array->sizes.size() != successor.indexes.size()) {
             fail(error("rewriting.unknown-array", "there is no array '" + successor.array + "' with so many indexes",
                        successor.span));
             return nullptr;
@@ -376,9 +375,8 @@ private:
         for (const Assignment& assignment : rule.assignments) {
             const Result<double> value = value_of(assignment.value, names);
             if (!value) return fail(value.diagnostics().front());
-            const auto known = std::find_if(registers_.begin(), registers_.end(),
-                                            [&](const Register& r) { return r.name == assignment.name; });
-            if (known == registers_.end()) {
+            Register* known = find_named(registers_, assignment.name);
+            if (known == nullptr) {
                 return fail(error("rewriting.unknown-register", "there is no register '" + assignment.name + "'",
                                   assignment.value->span));
             }

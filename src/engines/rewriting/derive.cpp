@@ -55,7 +55,7 @@ struct Counting {
     }
     void copy_all(const Word& word, std::size_t) { add(word.size()); }
     void keep(const Word&, std::size_t, std::size_t freezes) { add(1 + freezes); }
-    void repeat(Symbol, std::uint64_t count, std::size_t) { add(count); }
+    void repeat(Symbol, std::uint64_t count) { add(count); }
     void add(std::uint64_t count) { symbols = std::min(too_many, symbols + count); }
 };
 
@@ -78,7 +78,7 @@ struct Writing {
         *to++ = word.symbols[place];
         to = std::fill_n(to, freezes, Alphabet::freeze);
     }
-    void repeat(Symbol symbol, std::uint64_t count, std::size_t) { to = std::fill_n(to, count, symbol); }
+    void repeat(Symbol symbol, std::uint64_t count) { to = std::fill_n(to, count, symbol); }
 };
 
 // Writes all columns that the old word has.
@@ -107,9 +107,9 @@ public:
             was_met = was_met || is_own;
             const bool is_follower = alphabet_[symbol].role == Role::follower;
             const std::uint32_t made_by = origin != 0 ? origin : 1;
-            add(symbol, is_follower ? made_by : 0, child_key(place), inherits ? age_at(place) + 1 : 1);
+            add(symbol, is_follower ? made_by : 0, child_key(), inherits ? age_at() + 1 : 1);
         }
-        if (was_met) set_stays(place);
+        if (was_met) set_stays();
     }
     void copy_all(const Word& word, std::size_t place) {
         std::size_t other = 0;
@@ -121,20 +121,19 @@ public:
             }
             const bool inherits = !was_met && alphabet_[symbol].letter == letter_at(place);
             was_met = was_met || inherits;
-            add(symbol, word.origins.empty() ? 0 : word.origins[other], child_key(place),
-                inherits ? age_at(place) + 1 : 1);
+            add(symbol, word.origins.empty() ? 0 : word.origins[other], child_key(), inherits ? age_at() + 1 : 1);
             ++other;
         }
-        set_stays(place);
+        set_stays();
     }
     void keep(const Word& word, std::size_t place, std::size_t freezes) {
-        add(word.symbols[place], origin_at(place), key_at(place), age_at(place) + 1);
+        add(word.symbols[place], origin_at(), key_at(), age_at() + 1);
         out.symbols.insert(out.symbols.end(), freezes, Alphabet::freeze);
-        set_stays(place);
+        set_stays();
     }
-    // More of a run, behind the symbol at `place`.
-    void repeat(Symbol symbol, std::uint64_t count, std::size_t place) {
-        for (; count > 0; --count) add(symbol, 0, child_key(place), 1);
+    // More of a run, behind its last member.
+    void repeat(Symbol symbol, std::uint64_t count) {
+        for (; count > 0; --count) add(symbol, 0, child_key(), 1);
     }
 
     // Which symbol of the old word comes next, counted without '='.
@@ -148,11 +147,11 @@ public:
 
 private:
     char32_t letter_at(std::size_t place) const { return alphabet_[from_.symbols[place]].letter; }
-    std::uint32_t origin_at(std::size_t) const { return from_.origins.empty() ? 0 : from_.origins[index_]; }
-    std::uint64_t key_at(std::size_t) const { return from_.keys.empty() ? 0 : from_.keys[index_]; }
-    std::uint32_t age_at(std::size_t) const { return from_.ages.empty() ? 0 : from_.ages[index_]; }
-    std::uint64_t child_key(std::size_t place) { return from_.keys.empty() ? 0 : fold(key_at(place), children_++); }
-    void set_stays(std::size_t) {
+    std::uint32_t origin_at() const { return from_.origins.empty() ? 0 : from_.origins[index_]; }
+    std::uint64_t key_at() const { return from_.keys.empty() ? 0 : from_.keys[index_]; }
+    std::uint32_t age_at() const { return from_.ages.empty() ? 0 : from_.ages[index_]; }
+    std::uint64_t child_key() { return from_.keys.empty() ? 0 : fold(key_at(), children_++); }
+    void set_stays() {
         if (!stays.empty()) stays[index_] = 1;
     }
     void add(Symbol symbol, std::uint32_t origin, std::uint64_t key, std::uint32_t age) {
@@ -175,10 +174,9 @@ void tell_place(WritingColumns& out, std::size_t index) { out.at(index); }
 
 // Rewrites the whole word. q and g: only the last of a run can be frozen, which ends the run and holds it.
 template <class Out>
-void rewrite(const Word& word, const Alphabet& alphabet, const StepPlan& plan, Out& out) {
+void rewrite(const Word& word, const Alphabet& alphabet, const StepPlan& plan, const QuickTable& quick, Out& out) {
     const std::vector<Symbol>& symbols = word.symbols;
     const bool has_freezes = std::find(symbols.begin(), symbols.end(), Alphabet::freeze) != symbols.end();
-    const QuickTable quick(plan, alphabet);
     std::size_t decided = 0, index = 0;
     std::uint32_t ordinal = 0;
     for (std::size_t place = 0; place < symbols.size(); ++index) {
@@ -253,7 +251,7 @@ void rewrite(const Word& word, const Alphabet& alphabet, const StepPlan& plan, O
                     tell_place(out, index + k);
                     out.keep(word, place + k, k + 1 == length && held > 0 ? held - 1 : 0);
                 }
-                if (held == 0 && !shrinks) out.repeat(symbol, gain, behind);
+                if (held == 0 && !shrinks) out.repeat(symbol, gain);
                 index += length - 1;
                 place = after - 1;
                 break;
@@ -282,18 +280,19 @@ void drop_leading_freezes(std::vector<Symbol>& symbols) {
     symbols.erase(symbols.begin(), first);
 }
 
-Word rewritten(const Word& word, const Alphabet& alphabet, const StepPlan& plan, std::uint64_t symbols, AgeMode mode) {
+Word rewritten(const Word& word, const Alphabet& alphabet, const StepPlan& plan, const QuickTable& quick,
+               std::uint64_t symbols, AgeMode mode) {
     if (word.origins.empty() && word.keys.empty() && word.ages.empty()) {
         Word made;
         made.symbols.resize(symbols + QuickTable::width);
         Writing writing{made.symbols.data()};
-        rewrite(word, alphabet, plan, writing);
+        rewrite(word, alphabet, plan, quick, writing);
         made.symbols.resize(symbols);
         return made;
     }
     WritingColumns writing(word, alphabet, mode == AgeMode::lineage);
     writing.out.symbols.reserve(symbols);
-    rewrite(word, alphabet, plan, writing);
+    rewrite(word, alphabet, plan, quick, writing);
     if (!word.ages.empty() && mode == AgeMode::position)
         set_ages_by_position(word, alphabet, writing.stays, writing.out);
     return std::move(writing.out);
@@ -417,13 +416,14 @@ std::optional<Diagnostic> step(Derivation& derivation, const Grammar& grammar, c
     const Result<StepPlan> plan = plan_step(next, grammar, options, job);
     if (!plan) return give_up(plan.diagnostics().front());
     ++next.iteration;
+    const QuickTable quick(*plan, next.alphabet);
     Counting counting;
-    rewrite(next.word, next.alphabet, *plan, counting);
+    rewrite(next.word, next.alphabet, *plan, quick, counting);
     if (std::optional<Diagnostic> problem = too_large(counting.symbols, next.word, next.iteration, options.limits)) {
         return give_up(std::move(*problem));
     }
     if (is_cancelled(job)) return give_up(cancelled_diagnostic());
-    Word made = rewritten(next.word, next.alphabet, *plan, counting.symbols, grammar.ages);
+    Word made = rewritten(next.word, next.alphabet, *plan, quick, counting.symbols, grammar.ages);
     drop_leading_freezes(made.symbols);
     next.word = std::move(made);
     derivation = std::move(next);

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/diagnostic.h"
@@ -109,5 +110,14 @@ struct Grammar {
     AgeMode ages = AgeMode::position;
     DrawMode draws = DrawMode::lineage;
 };
+
+// The array or register of a name; null where there is none.
+template <class Items>
+auto find_named(Items& items, std::string_view name) -> decltype(items.data()) {
+    for (auto& item : items) {
+        if (item.name == name) return &item;
+    }
+    return nullptr;
+}
 
 }  // namespace filigree::rewriting

@@ -104,6 +104,9 @@ private:
             if (const auto* cell = std::get_if<CellStatement>(&statement.node)) fill_cell(*cell);
         }
     }
+    static Diagnostic doubled(const std::string& what, SourceSpan span) {
+        return error("rewriting.doubled-name", what + " is already there", span);
+    }
     void add_register(const SettingStatement& setting) {
         const std::string* name = word_of(setting.values[0]);
         if (name == nullptr || setting.values.size() > 2) return fail_usage(setting);
@@ -113,11 +116,8 @@ private:
             if (!value) return;
             added.value = *value;
         }
-        for (const Register& known : grammar_.registers) {
-            if (known.name == added.name) {
-                return report(error("rewriting.doubled-name", "the register " + quoted(*name) + " is already there",
-                                    setting.name.span));
-            }
+        if (find_named(grammar_.registers, *name) != nullptr) {
+            return report(doubled("the register " + quoted(*name), setting.name.span));
         }
         grammar_.registers.push_back(std::move(added));
     }
@@ -139,20 +139,14 @@ private:
             }
         }
         array.cells.resize(cells);
-        for (const Array& known : grammar_.arrays) {
-            if (known.name == array.name) {
-                return report(error("rewriting.doubled-name", "the array " + quoted(*name) + " is already there",
-                                    setting.name.span));
-            }
+        if (find_named(grammar_.arrays, *name) != nullptr) {
+            return report(doubled("the array " + quoted(*name), setting.name.span));
         }
         grammar_.arrays.push_back(std::move(array));
     }
     void fill_cell(const CellStatement& cell) {
-        const auto array = std::find_if(grammar_.arrays.begin(), grammar_.arrays.end(),
-                                        [&](const Array& known) { return known.name == cell.array.text; });
-        if (array == grammar_.arrays.end() || array->sizes.size() != cell.indexes.size()) {
-            return report(unknown_array(cell.array));
-        }
+        Array* array = find_named(grammar_.arrays, cell.array.text);
+        if (array == nullptr || array->sizes.size() != cell.indexes.size()) return report(unknown_array(cell.array));
         std::size_t at = 0;
         for (std::size_t i = 0; i < cell.indexes.size(); ++i) {
             const std::optional<double> index = whole_of(cell.indexes[i], 0, array->sizes[i] - 1.0);
@@ -215,8 +209,7 @@ private:
             const bool is_known = std::any_of(grammar_.systems.begin() + 1, grammar_.systems.end(),
                                               [&](const System& known) { return known.letter == letters[0]; });
             if (is_known) {
-                report(error("rewriting.doubled-name", "the system " + quoted(inner->name.text) + " is already there",
-                             inner->name.span));
+                report(doubled("the system " + quoted(inner->name.text), inner->name.span));
                 continue;
             }
             grammar_.systems[which].roles.subsystems += letters;
@@ -259,8 +252,7 @@ private:
         macro.high = static_cast<std::uint32_t>(*high);
         for (const Macro& known : system.macros) {
             if (known.letter == macro.letter) {
-                return report(
-                    error("rewriting.doubled-name", quoted(macro.letter) + " is already there", statement.symbol.span));
+                return report(doubled(quoted(macro.letter), statement.symbol.span));
             }
         }
         system.roles.free(macro.letter);
@@ -345,10 +337,7 @@ private:
         for (const Name* context : {&said.left, &said.right}) check_brackets(*context);
         for (const WordSuccessor& successor : said.successors) read_successor(successor, rule, frees_braces);
         for (const WordAssignment& assignment : said.assignments) {
-            const bool is_known =
-                std::any_of(grammar_.registers.begin(), grammar_.registers.end(),
-                            [&](const Register& known) { return known.name == assignment.name.text; });
-            if (is_known) {
+            if (find_named(grammar_.registers, assignment.name.text) != nullptr) {
                 rule.assignments.push_back({assignment.name.text, assignment.value});
                 continue;
             }
@@ -395,10 +384,8 @@ private:
             successor.kind = Successor::Kind::cell;
             successor.array = said.array->text;
             successor.indexes = said.indexes;
-            const bool is_known = std::any_of(grammar_.arrays.begin(), grammar_.arrays.end(), [&](const Array& array) {
-                return array.name == said.array->text && array.sizes.size() == said.indexes.size();
-            });
-            if (!is_known) report(unknown_array(*said.array));
+            const Array* array = find_named(grammar_.arrays, said.array->text);
+            if (array == nullptr || array->sizes.size() != said.indexes.size()) report(unknown_array(*said.array));
         } else {
             successor.pattern = pattern_of(*said.text, frees_braces);
         }

@@ -1,6 +1,8 @@
 // For tests alone: words for turtles from texts, and settings at random.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <array>
 #include <string>
 #include <string_view>
@@ -25,6 +27,22 @@ inline TurtleWord turtle_word(std::u32string_view letters) {
     return made;
 }
 inline TurtleWord turtle_word(std::string_view text) { return turtle_word(letters_of(text)); }
+
+inline TurtleDrawing drawn(std::u32string_view letters, const TurtleSettings& settings = {}) {
+    const TurtleWord of = turtle_word(letters);
+    Result<TurtleDrawing> drawing = turtle_drawing(of.word, of.alphabet, settings);
+    EXPECT_TRUE(drawing) << to_utf8(letters);
+    return drawing ? *std::move(drawing) : TurtleDrawing{};
+}
+inline TurtleDrawing drawn(std::string_view text, const TurtleSettings& settings = {}) {
+    return drawn(letters_of(text), settings);
+}
+
+inline void expect_near(Vec3 a, Vec3 b, double error = 1e-12) {
+    EXPECT_NEAR(a.x, b.x, error);
+    EXPECT_NEAR(a.y, b.y, error);
+    EXPECT_NEAR(a.z, b.z, error);
+}
 
 // Signs that mean nothing by themselves, for all that letters may be made to do.
 inline std::vector<LetterUse> signs_for_everything() {

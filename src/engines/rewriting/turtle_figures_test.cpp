@@ -20,19 +20,6 @@ json vectors() {
     return json::parse(file);
 }
 
-TurtleDrawing drawn(std::string_view text, const TurtleSettings& settings = {}) {
-    const TurtleWord of = turtle_word(text);
-    Result<TurtleDrawing> drawing = turtle_drawing(of.word, of.alphabet, settings);
-    EXPECT_TRUE(drawing) << text;
-    return drawing ? *std::move(drawing) : TurtleDrawing{};
-}
-
-void expect_near(Vec3 a, Vec3 b, double error = 1e-12) {
-    EXPECT_NEAR(a.x, b.x, error);
-    EXPECT_NEAR(a.y, b.y, error);
-    EXPECT_NEAR(a.z, b.z, error);
-}
-
 TEST(TurtleFigures, DrawsPublishedCurves) {
     int rows = 0;
     for (const json& row : vectors()) {

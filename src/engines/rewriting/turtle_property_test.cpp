@@ -15,13 +15,6 @@ namespace {
 
 constexpr std::u32string_view everything = U"FFFaab=++--<>?TPDXYZQ[[]]#!,;o{}.f";
 
-TurtleDrawing drawn(std::u32string_view letters, const TurtleSettings& settings) {
-    const TurtleWord of = turtle_word(letters);
-    Result<TurtleDrawing> drawing = turtle_drawing(of.word, of.alphabet, settings);
-    EXPECT_TRUE(drawing);
-    return drawing ? *std::move(drawing) : TurtleDrawing{};
-}
-
 bool are_near(Vec3 a, Vec3 b, double error) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z) <= error; }
 
 double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }

@@ -11,19 +11,6 @@
 namespace filigree::rewriting {
 namespace {
 
-TurtleDrawing drawn(std::string_view text, const TurtleSettings& settings = {}) {
-    const TurtleWord of = turtle_word(text);
-    Result<TurtleDrawing> drawing = turtle_drawing(of.word, of.alphabet, settings);
-    EXPECT_TRUE(drawing) << text;
-    return drawing ? *std::move(drawing) : TurtleDrawing{};
-}
-
-void expect_near(Vec3 a, Vec3 b, double error = 1e-12) {
-    EXPECT_NEAR(a.x, b.x, error);
-    EXPECT_NEAR(a.y, b.y, error);
-    EXPECT_NEAR(a.z, b.z, error);
-}
-
 TEST(Turtle, FormulasKnowWhereTheyStand) {
     TurtleWord of = turtle_word("aP?[=?a[T?");
     of.word.ages = {1, 2, 3, 4, 5, 6, 7, 8, 9};
