@@ -167,7 +167,7 @@ private:
         };
         const std::array no_ligatures = {off(HB_TAG('l', 'i', 'g', 'a')), off(HB_TAG('c', 'l', 'i', 'g'))};
         const bool is_loose = options_.letter_spacing != 0 && !is_joined(run.script);
-        hb_shape(font_, buffer.get(), no_ligatures.data(), is_loose ? no_ligatures.size() : 0);
+        hb_shape(font_, buffer.get(), no_ligatures.data(), is_loose ? static_cast<unsigned>(no_ligatures.size()) : 0U);
         return buffer;
     }
 
