@@ -105,7 +105,7 @@ struct PdfOperator {
 };
 inline std::vector<PdfOperator> pdf_operators(const std::string& content) {
     static const std::map<std::string, std::size_t> takes = {
-        {"q", 0}, {"Q", 0}, {"cm", 6}, {"gs", 1}, {"rg", 3}, {"RG", 3}, {"w", 1},  {"j", 1}, {"M", 1},
+        {"q", 0}, {"Q", 0}, {"cm", 6}, {"gs", 1}, {"rg", 3}, {"RG", 3}, {"w", 1},  {"j", 1}, {"J", 1}, {"M", 1},
         {"m", 2}, {"l", 2}, {"h", 0},  {"re", 4}, {"f", 0},  {"f*", 0}, {"B*", 0}, {"S", 0}};
     std::vector<PdfOperator> operators;
     PdfOperator next;

@@ -22,15 +22,13 @@ constexpr std::size_t longest_coordinate = 20;
 constexpr double points_a_px = 0.75;
 constexpr double longest_side = 14'400;  // of a page, in its units
 
-bool has_stroke(const Style& style) { return style.stroke.has_value() && style.pen > 0 && std::isfinite(style.pen); }
-
 struct Alpha {
     std::uint8_t fill = 255, stroke = 255;
 
     auto operator<=>(const Alpha&) const = default;
 };
 Alpha alpha_of(const Style& style) {
-    return {style.fill ? style.fill->alpha : std::uint8_t{255},
+    return {has_fill(style) ? style.fill->alpha : std::uint8_t{255},
             has_stroke(style) ? style.stroke->alpha : std::uint8_t{255}};
 }
 std::string name_of(Alpha alpha) { return "/A" + std::to_string(alpha.fill) + "-" + std::to_string(alpha.stroke); }
@@ -53,18 +51,18 @@ public:
     void put(std::string_view text) { out_.put(text); }
     void put(const DrawnShape& shape) {
         const Style& style = drawing_.styles[shape.style];
-        const bool is_stroked = has_stroke(style);
-        if (!style.fill && !is_stroked) return;
+        const bool is_filled = has_fill(style), is_stroked = has_stroke(style);
+        if (!is_filled && !is_stroked) return;
         const PolygonView polygon = polygon_of(drawing_, shape);
         if (polygon.point_count() == 0) return;
         set(style, shape.style);
-        put_path(polygon, is_stroked);
-        if (style.fill && is_stroked && style.stroke->alpha != 255) {
+        put_path(polygon, is_stroked && !style.is_open);
+        if (is_filled && is_stroked && style.stroke->alpha != 255) {
             out_.put("f*\n");  // both at once would cut the stroke out of the fill
             put_path(polygon, true);
             out_.put("S\n");
         } else {
-            out_.put(!is_stroked ? "f*\n" : style.fill ? "B*\n" : "S\n");
+            out_.put(!is_stroked ? "f*\n" : is_filled ? "B*\n" : "S\n");
         }
     }
     std::string take() && { return std::move(out_).take(); }
@@ -77,10 +75,11 @@ private:
             out_.put(name_of(alpha) + " gs\n");
             alpha_ = alpha;
         }
-        if (style.fill) say(fill_, colour_text(*style.fill) + "rg\n");
+        if (has_fill(style)) say(fill_, colour_text(*style.fill) + "rg\n");
         if (!has_stroke(style)) return;
         say(stroke_, colour_text(*style.stroke) + "RG\n");
         say(pen_, pdf_number(style.pen * unit_, 3) + " w\n");
+        if (style.is_open) say(cap_, style.corner == Corner::round ? "1 J\n" : "0 J\n");
         say(corner_, style.corner == Corner::mitre ? "0 j\n" : style.corner == Corner::round ? "1 j\n" : "2 j\n");
     }
     void say(std::string& in_force, std::string wanted) {
@@ -128,7 +127,7 @@ private:
     TextBuffer out_;
     std::optional<std::uint32_t> last_style_;
     std::optional<Alpha> alpha_;
-    std::string fill_, stroke_, pen_, corner_;  // as last said
+    std::string fill_, stroke_, pen_, corner_, cap_;  // as last said
 };
 
 // The shapes in the order of painting, in ranges of about as many points each.

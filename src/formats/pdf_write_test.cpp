@@ -91,6 +91,13 @@ TEST(PdfWrite, HolesStrokesAndJoins) {
     EXPECT_EQ(names(painted(drawing_of(tiny, filled(red), {9, 9}))), "q cm M gs rg m l l l f* Q");
 }
 
+TEST(PdfWrite, LinesAreOpenAndNeverFilled) {
+    const Style style{red, black, 1.5, Corner::round};
+    const std::vector<PdfOperator> line = painted(line_drawing({{1, 1}, {5, 1}, {5, 5}}, style, {9, 9}));
+    EXPECT_EQ(names(line), "q cm M gs RG w J j m l l S Q");
+    EXPECT_EQ(line[6].operands[0], "1");
+}
+
 TEST(PdfWrite, StateIsSharedAlongARun) {
     Polygons geometry;
     for (int i = 0; i < 4; ++i) {

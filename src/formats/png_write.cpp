@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -57,6 +58,25 @@ std::vector<Vec> cut(const std::vector<Vec>& ring, double Vec::*axis, double at,
     return kept;
 }
 
+// The part of a stretch inside a rectangle, none where it passes by (Liang and Barsky).
+std::optional<std::pair<Vec, Vec>> cut(Vec from, Vec to, const Rectangle& within) {
+    double first = 0, last = 1;
+    for (double Vec::*axis : {&Vec::x, &Vec::y}) {
+        const double along = to.*axis - from.*axis;
+        if (along == 0) {
+            if (from.*axis < within.min.*axis || from.*axis > within.max.*axis) return std::nullopt;
+            continue;
+        }
+        const double enter = ((along > 0 ? within.min : within.max).*axis - from.*axis) / along;
+        const double leave = ((along > 0 ? within.max : within.min).*axis - from.*axis) / along;
+        first = std::max(first, enter);
+        last = std::min(last, leave);
+    }
+    if (first > last) return std::nullopt;
+    const auto at = [&](double share) { return share == 1 ? to : from + share * (to - from); };
+    return std::pair{at(first), at(last)};
+}
+
 class Painter {
 public:
     Painter(cairo_t* cairo, const Drawing& drawing, double scale, Vec size)
@@ -74,10 +94,10 @@ public:
 private:
     void paint(const DrawnShape& shape) {
         const Style& style = drawing_.styles[shape.style];
-        const bool has_stroke = style.stroke.has_value() && style.pen > 0 && std::isfinite(style.pen);
-        const double pen = has_stroke ? std::min(style.pen * scale_, farthest) : 0;
+        const bool is_filled = has_fill(style), is_stroked = has_stroke(style);
+        const double pen = is_stroked ? std::min(style.pen * scale_, farthest) : 0;
         const PolygonView polygon = polygon_of(drawing_, shape);
-        if (polygon.ring_count() == 0 || (!style.fill && !has_stroke)) return;
+        if (polygon.ring_count() == 0 || (!is_filled && !is_stroked)) return;
 
         const Box box = bounds(polygon);
         const Vec min = to_pixels(box.min), max = to_pixels(box.max);
@@ -90,20 +110,22 @@ private:
             if (is_near) {
                 begin_ring();
                 for (const Point p : polygon.ring(r)) line_to(to_pixels(p));
-                cairo_close_path(cairo_);
+                if (!style.is_open) cairo_close_path(cairo_);
+            } else if (style.is_open) {
+                add_cut_line(polygon.ring(r), {{-margin, -margin}, {size_.x + margin, size_.y + margin}});
             } else {
                 add_cut_ring(polygon.ring(r), {{-margin, -margin}, {size_.x + margin, size_.y + margin}});
             }
         }
-        if (style.fill) {
+        if (is_filled) {
             set_source(cairo_, *style.fill);
-            if (has_stroke) {
+            if (is_stroked) {
                 cairo_fill_preserve(cairo_);
             } else {
                 cairo_fill(cairo_);
             }
         }
-        if (has_stroke) stroke(style, pen);
+        if (is_stroked) stroke(style, pen);
     }
 
     void stroke(const Style& style, double pen) {
@@ -112,6 +134,8 @@ private:
         cairo_set_line_join(cairo_, style.corner == Corner::mitre   ? CAIRO_LINE_JOIN_MITER
                                     : style.corner == Corner::round ? CAIRO_LINE_JOIN_ROUND
                                                                     : CAIRO_LINE_JOIN_BEVEL);
+        const bool is_rounded = style.is_open && style.corner == Corner::round;
+        cairo_set_line_cap(cairo_, is_rounded ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
         cairo_stroke(cairo_);
     }
 
@@ -128,6 +152,24 @@ private:
         begin_ring();
         for (const Vec p : points) line_to(p);
         cairo_close_path(cairo_);
+    }
+
+    // Each stretch cut by itself: what goes out of sight comes back as a new line, its ends out of sight.
+    void add_cut_line(RingView line, const Rectangle& within) {
+        Vec last;
+        bool is_drawing = false;
+        for (std::size_t i = 1; i < line.size(); ++i) {
+            const Vec from = to_pixels(line[i - 1]), to = to_pixels(line[i]);
+            const std::optional<std::pair<Vec, Vec>> seen = cut(from, to, within);
+            if (!seen) continue;
+            if (!is_drawing || seen->first != last) {
+                begin_ring();
+                line_to(seen->first);
+            }
+            line_to(seen->second);
+            last = seen->second;
+            is_drawing = true;
+        }
     }
 
     void begin_ring() { cairo_new_sub_path(cairo_); }  // the next line only moves

@@ -93,6 +93,30 @@ TEST(PngWrite, StrokesAreCentredAndJoinedAsSaid) {
     EXPECT_LT(picture.at(3, 3) & 255, 80U);
 }
 
+TEST(PngWrite, LinesAreOpenAndNeverFilled) {
+    Drawing drawing = line_drawing({{4, 4}, {12, 4}, {12, 12}, {4, 12}}, {red, black, 2, Corner::mitre}, {16, 16});
+    Decoded picture = drawn(drawing);
+    EXPECT_EQ(picture.at(8, 4), black_pixel);
+    EXPECT_EQ(picture.at(12, 8), black_pixel);
+    EXPECT_EQ(picture.at(4, 8), white_pixel);  // where it would close
+    EXPECT_EQ(picture.at(8, 8), white_pixel);
+    EXPECT_EQ(picture.at(3, 4), white_pixel);  // cut off square
+    drawing.styles[0].corner = Corner::round;
+    EXPECT_NE(drawn(drawing).at(3, 4), white_pixel);
+}
+
+TEST(PngWrite, LinesThatReachFarAreDrawnWhereTheyAreSeen) {
+    const Drawing drawing =
+        line_drawing({{-1e8, 8}, {1e8, 8}, {1e8, 1e8}, {8, 1e8}, {8, -1e8}}, {{}, black, 2, Corner::mitre}, {16, 16});
+    const Decoded picture = drawn(drawing);
+    for (int i = 0; i < 16; ++i) {
+        EXPECT_EQ(picture.at(i, 8), black_pixel);
+        EXPECT_EQ(picture.at(8, i), black_pixel);
+    }
+    EXPECT_EQ(picture.at(2, 2), white_pixel);
+    EXPECT_EQ(picture.at(14, 14), white_pixel);
+}
+
 TEST(PngWrite, PaintsInOrderWithOverlaysOnTop) {
     Polygons geometry;
     for (int i = 0; i < 3; ++i) {

@@ -80,6 +80,10 @@ public:
         for (std::size_t r = 0; r < polygon.ring_count(); ++r) put(polygon.ring(r), r > 0);
         return current_;
     }
+    Point put_line(RingView line) {
+        if (!line.empty()) put_points(line, true);
+        return current_;
+    }
 
 private:
     void put(RingView ring, bool is_hole) {
@@ -88,20 +92,29 @@ private:
         const Point start = rounded_point(ring[0]);
         while (count > 1 && rounded_point(ring[count - 1]) == start) --count;
         if (is_hole && has_fewer_than_three_places(ring.first(count))) return;
+        put_points(ring.first(count), false);
+        current_ = start;
+    }
 
-        to_ = out_.room(2 * longest_number * (count + 1));
+    void put_points(RingView points, bool is_line) {
+        const Point start = rounded_point(points[0]);
+        to_ = out_.room(2 * longest_number * (points.size() + 1));
         command('m');
         number(start.x - current_.x);
         number(start.y - current_.y);
         command_ = 'l';  // what pairs after a move mean
         current_ = start;
-        for (std::size_t i = 1; i < count; ++i) {
-            const Point next = rounded_point(ring[i]);
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const Point next = rounded_point(points[i]);
             step(next.x - current_.x, next.y - current_.y);
             current_ = next;
         }
-        command('z');
-        current_ = start;
+        if (!is_line) {
+            command('z');
+        } else if (command_ == 'l' && current_ == start) {  // else nothing would be drawn
+            command('h');
+            number(0);
+        }
         out_.advance_to(to_);
     }
 
@@ -203,23 +216,36 @@ std::int64_t rounded_coordinate(std::int64_t grid, int decimals) {
     }
 }
 
-Point put_path_data(TextBuffer& out, PolygonView polygon, int decimals, Point from) {
+namespace {
+
+// Calls `put` with a writer for so many decimals.
+template <class Put>
+Point with_writer(TextBuffer& out, int decimals, Point from, Put put) {
     switch (decimals) {
         case 0:
-            return PathDataWriter<0>(out, from).put(polygon);
+            return put(PathDataWriter<0>(out, from));
         case 1:
-            return PathDataWriter<1>(out, from).put(polygon);
+            return put(PathDataWriter<1>(out, from));
         case 2:
-            return PathDataWriter<2>(out, from).put(polygon);
+            return put(PathDataWriter<2>(out, from));
         case 3:
-            return PathDataWriter<3>(out, from).put(polygon);
+            return put(PathDataWriter<3>(out, from));
         case 4:
-            return PathDataWriter<4>(out, from).put(polygon);
+            return put(PathDataWriter<4>(out, from));
         case 5:
-            return PathDataWriter<5>(out, from).put(polygon);
+            return put(PathDataWriter<5>(out, from));
         default:
-            return PathDataWriter<6>(out, from).put(polygon);
+            return put(PathDataWriter<6>(out, from));
     }
+}
+
+}  // namespace
+
+Point put_path_data(TextBuffer& out, PolygonView polygon, int decimals, Point from) {
+    return with_writer(out, decimals, from, [&](auto writer) { return writer.put(polygon); });
+}
+Point put_line_data(TextBuffer& out, RingView line, int decimals, Point from) {
+    return with_writer(out, decimals, from, [&](auto writer) { return writer.put_line(line); });
 }
 
 }  // namespace filigree

@@ -42,4 +42,7 @@ std::int64_t rounded_coordinate(std::int64_t grid, int decimals);
 // (rounded; the first move is relative to it), the result where it stands then.
 Point put_path_data(TextBuffer& out, PolygonView polygon, int decimals, Point from = {});
 
+// The same of an open line, without a `z`; one that rounds to a single point is a line of no length.
+Point put_line_data(TextBuffer& out, RingView line, int decimals, Point from = {});
+
 }  // namespace filigree

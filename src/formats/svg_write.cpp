@@ -32,22 +32,24 @@ std::string opacity(std::uint8_t alpha) { return number(alpha / 255.0, 4); }
 struct Attributes {
     std::string fill = "black", stroke = "none";
     std::string fill_opacity = "1", stroke_opacity = "1", stroke_width = "1", stroke_linejoin = "miter";
+    std::string stroke_linecap = "butt";
 };
 
 // Fill and stroke are said together where either changes, so that no reader has to know the initial values;
 // what refines them is said only where it matters and differs.
 std::string changed(Attributes& in_force, const Style& style) {
-    const bool has_stroke = style.stroke.has_value() && style.pen > 0 && std::isfinite(style.pen);
+    const bool is_filled = has_fill(style), is_stroked = has_stroke(style);
     Attributes wanted = in_force;
-    wanted.fill = style.fill ? hex_colour(*style.fill) : "none";
-    wanted.stroke = has_stroke ? hex_colour(*style.stroke) : "none";
-    if (style.fill) wanted.fill_opacity = opacity(style.fill->alpha);
-    if (has_stroke) {
+    wanted.fill = is_filled ? hex_colour(*style.fill) : "none";
+    wanted.stroke = is_stroked ? hex_colour(*style.stroke) : "none";
+    if (is_filled) wanted.fill_opacity = opacity(style.fill->alpha);
+    if (is_stroked) {
         wanted.stroke_opacity = opacity(style.stroke->alpha);
         wanted.stroke_width = number(style.pen, 4);
         wanted.stroke_linejoin = style.corner == Corner::mitre   ? "miter"
                                  : style.corner == Corner::round ? "round"
                                                                  : "bevel";
+        if (style.is_open) wanted.stroke_linecap = style.corner == Corner::round ? "round" : "butt";
     }
     std::string text;
     const auto say = [&](std::string_view name, const std::string& value) {
@@ -64,6 +66,7 @@ std::string changed(Attributes& in_force, const Style& style) {
     say_changed("stroke-opacity", in_force.stroke_opacity, wanted.stroke_opacity);
     say_changed("stroke-width", in_force.stroke_width, wanted.stroke_width);
     say_changed("stroke-linejoin", in_force.stroke_linejoin, wanted.stroke_linejoin);
+    say_changed("stroke-linecap", in_force.stroke_linecap, wanted.stroke_linecap);
     in_force = std::move(wanted);
     return text;
 }
@@ -206,8 +209,14 @@ private:
             out_.put(own->second);
         }
         out_.put(" d=\"");
-        put_path_data(out_, polygon_of(drawing_, shape), decimals_);
+        put_data(shape, {});
         out_.put("\"/>\n");
+    }
+
+    Point put_data(const DrawnShape& shape, Point from) {
+        const PolygonView polygon = polygon_of(drawing_, shape);
+        return drawing_.styles[shape.style].is_open ? put_line_data(out_, polygon.outer(), decimals_, from)
+                                                    : put_path_data(out_, polygon, decimals_, from);
     }
 
     void put_opening(ShortNames& names, Key key) {
@@ -242,7 +251,7 @@ private:
                 }
                 style = &wanted;
                 is_overlay = step.overlay;
-                at = put_path_data(out_, polygon_of(drawing_, drawing_.shapes[s]), decimals_, at);
+                at = put_data(drawing_.shapes[s], at);
             }
         }
         if (style != nullptr) out_.put("\"/>\n");

@@ -41,6 +41,19 @@ Drawing small_drawing() {
     return drawing;
 }
 
+TEST(SvgWrite, LinesAreOpenAndNeverFilled) {
+    const Style style{red, black, 2, Corner::round};
+    const std::string svg = to_svg(line_drawing({{1, 1}, {5, 1}, {5, 5}}, style, {9, 9}), {});
+    EXPECT_NE(svg.find("fill=\"none\" stroke=\"#000000\""), std::string::npos) << svg;
+    EXPECT_NE(svg.find("stroke-linecap=\"round\""), std::string::npos) << svg;
+    EXPECT_NE(svg.find(" d=\"m1 1h4v4\"/>"), std::string::npos) << svg;
+    // What is too short to be seen is still something that is drawn.
+    const std::string dot = to_svg(line_drawing({{1, 1}, {1.00001, 1}}, style, {9, 9}), {});
+    EXPECT_NE(dot.find(" d=\"m1 1h0\"/>"), std::string::npos) << dot;
+    const Style square{{}, black, 2, Corner::mitre};
+    EXPECT_EQ(to_svg(line_drawing({{1, 1}, {5, 1}}, square, {9, 9}), {}).find("linecap"), std::string::npos);
+}
+
 TEST(SvgWrite, WholeFile) {
     EXPECT_EQ(to_svg(small_drawing(), {}),
               "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"

@@ -68,6 +68,13 @@ inline Drawing many_blobs(std::size_t count, std::size_t points, Vec size, Style
 
 inline Style filled(Colour colour) { return {colour, {}, 1, Corner::round}; }
 inline Style stroked(Colour colour, double pen) { return {{}, colour, pen, Corner::round}; }
+// One line, open.
+inline Drawing line_drawing(const std::vector<Vec>& points, Style style, Vec size) {
+    std::vector<Point> line;
+    for (const Vec p : points) line.push_back(snap(p));
+    style.is_open = true;
+    return drawing_of(polygons_of({line}), style, size);
+}
 constexpr Colour black{0, 0, 0, 255}, white{255, 255, 255, 255}, red{255, 0, 0, 255};
 
 }  // namespace filigree

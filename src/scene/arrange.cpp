@@ -13,6 +13,7 @@
 
 #include "plane/clean.h"
 #include "plane/edge_tree.h"
+#include "plane/line_inside.h"
 #include "plane/moved_polygon.h"
 
 namespace filigree {
@@ -53,7 +54,7 @@ private:
     }
     static Words words_of(const Style& style) {
         return {word_of(style.fill), word_of(style.stroke), std::bit_cast<std::uint64_t>(style.pen),
-                static_cast<std::uint64_t>(style.corner)};
+                static_cast<std::uint64_t>(style.corner) | (style.is_open ? 16U : 0U)};
     }
 
     Drawing& drawing_;
@@ -78,6 +79,7 @@ public:
         return tree_.is_inside(in_px.min) ? Side::inside : Side::outside;
     }
     const Polygons& polygons() const { return polygons_; }
+    const EdgeTree& border() const { return tree_; }
 
 private:
     static std::vector<Edge> edges_of_all(const Polygons& polygons) {
@@ -92,6 +94,21 @@ private:
     Polygons polygons_;
     EdgeTree tree_;
 };
+
+// An open line, without the places that become equal on the grid.
+Polygons mapped_line(RingView line, const Transform& by) {
+    Polygons moved;
+    for (const Point from : line) {
+        const Vec to = apply(by, to_px(from));
+        if (!is_on_plane(to)) return {};
+        const Point place = snap(to);
+        if (moved.points.empty() || moved.points.back() != place) moved.points.push_back(place);
+    }
+    if (moved.points.size() < 2) return {};
+    moved.end_ring();
+    moved.end_polygon();
+    return moved;
+}
 
 // Nothing where it leaves the plane or collapses on the grid.
 Polygons mapped(PolygonView polygon, const Transform& by) {
@@ -158,7 +175,7 @@ private:
         new_shape.reserve(from_.shapes.size() + 1);
         for (const DrawnShape& shape : from_.shapes) {
             new_shape.push_back(static_cast<std::uint32_t>(to_.shapes.size()));
-            const Pieces pieces = pieces_of(shape.geometry, shape.polygon);
+            const Pieces pieces = pieces_of(shape.geometry, shape.polygon, from_.styles[shape.style].is_open);
             if (pieces.first == pieces.end) continue;
             std::uint32_t& style = new_style[shape.style];
             if (style == to_be_added) style = index_.index_of(scaled(from_.styles[shape.style]));
@@ -192,17 +209,19 @@ private:
         return style;
     }
 
-    // A polygon that several shapes show is placed once.
-    Pieces pieces_of(std::uint32_t geometry, std::uint32_t polygon) {
+    // A polygon that several shapes show is placed once; all of them as a line, or none.
+    Pieces pieces_of(std::uint32_t geometry, std::uint32_t polygon, bool is_open) {
         std::optional<Pieces>& known = pieces_[first_polygon_[geometry] + polygon];
-        if (!known) known = placed(geometry, polygon);
+        if (!known) known = placed(geometry, polygon, is_open);
         return *known;
     }
 
-    Pieces placed(std::uint32_t geometry, std::uint32_t polygon) {
+    Pieces placed(std::uint32_t geometry, std::uint32_t polygon, bool is_open) {
         const PolygonView view = (*from_.geometry[geometry])[polygon];
         if (view.ring_count() == 0) return {};
-        const Polygons moved = keeps_geometry_ ? Polygons{} : mapped(view, placement_.transform);
+        const Polygons moved = keeps_geometry_ ? Polygons{}
+                               : is_open       ? mapped_line(view.outer(), placement_.transform)
+                                               : mapped(view, placement_.transform);
         if (!keeps_geometry_ && moved.empty()) return {};
         const PolygonView here = keeps_geometry_ ? view : moved[0];
         const Clip::Side side = clip_ ? clip_->side_of(here) : Clip::Side::inside;
@@ -213,6 +232,8 @@ private:
         const auto first = static_cast<std::uint32_t>(fresh_.size());
         if (side == Clip::Side::inside) {
             fresh_.add(here);
+        } else if (is_open) {
+            add_parts_inside(fresh_, here.outer(), clip_->border());
         } else {
             Polygons whole;
             whole.add(here);

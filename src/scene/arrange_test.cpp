@@ -527,5 +527,35 @@ TEST(Arrange, ManyPlacementsTakeWhatTheyAdd) {
     RecordProperty("ratio", std::to_string(many / few));
 }
 
+TEST(Arrange, LinesStayOpenAndAreCutOff) {
+    Drawing line;
+    Polygons geometry;
+    geometry.points = {snap({-5, 2}), snap({5, 2}), snap({5, 9}), snap({7, 9}), snap({7, 1})};
+    geometry.end_ring();
+    geometry.end_polygon();
+    line.geometry = {std::make_shared<const Polygons>(geometry)};
+    line.styles = {{{}, ink, 1, Corner::round, true}};
+    line.shapes = {{0, 0, 0, Key{1}}};
+    line.groups = {{"word", 0, 1, 0, 0, {}}};
+    Polygons clip;
+    add_rectangle(clip, 0, 0, 16, 16);
+    Drawing all;
+    place_drawing(all, line, {Transform{2, 0, 0, 2, 0, 0}, &clip, "", 0, 2, 0});
+    ASSERT_EQ(all.shapes.size(), 2U);
+    EXPECT_TRUE(all.styles[0].is_open);
+    EXPECT_EQ(all.styles[0].pen, 2);
+    const auto points = [&](std::size_t shape) {
+        const RingView ring = polygon_of(all, all.shapes[shape]).outer();
+        return std::vector<Point>(ring.begin(), ring.end());
+    };
+    EXPECT_EQ(points(0), (std::vector<Point>{snap({0, 4}), snap({10, 4}), snap({10, 16})}));
+    EXPECT_EQ(points(1), (std::vector<Point>{snap({14, 16}), snap({14, 2})}));
+    // A filled shape of the same look is another style.
+    Drawing filled = line;
+    filled.styles[0].is_open = false;
+    place_drawing(all, filled, {});
+    EXPECT_EQ(all.styles.size(), 2U);
+}
+
 }  // namespace
 }  // namespace filigree

@@ -211,7 +211,7 @@ private:
     }
     static Words words_of(const Style& style) {
         return {word_of(style.fill), word_of(style.stroke), std::bit_cast<std::uint64_t>(style.pen),
-                static_cast<std::uint64_t>(style.corner)};
+                static_cast<std::uint64_t>(style.corner) | (style.is_open ? 16U : 0U)};
     }
 
     // Its key hangs on its ends alone, so that it stays as it is when other lines meet it on the way.

@@ -4,6 +4,7 @@
 // the derivation's steps do. Painting a group: its own shapes, then its child groups, then its overlay.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -16,6 +17,7 @@
 
 namespace filigree {
 
+// Lines end as they turn corners: round ones are rounded, others are cut off square.
 enum class Corner : std::uint8_t { mitre, round, bevel };
 
 struct Style {
@@ -23,9 +25,14 @@ struct Style {
     std::optional<Colour> stroke;
     double pen = 1;  // px, width of the stroke
     Corner corner = Corner::round;
+    bool is_open = false;  // a line, of one ring of two points or more: neither closed nor filled
 
     bool operator==(const Style&) const = default;
 };
+inline bool has_fill(const Style& style) { return style.fill.has_value() && !style.is_open; }
+inline bool has_stroke(const Style& style) {
+    return style.stroke.has_value() && style.pen > 0 && std::isfinite(style.pen);
+}
 
 struct DrawnShape {
     std::uint32_t geometry = 0;  // index into Drawing::geometry
