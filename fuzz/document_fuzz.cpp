@@ -54,7 +54,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     options.previous = &run->tangle;
     const Result<Run> again = run_document(opened, checked, options, serial, {});
-    require(again && to_svg(again->picture.drawing, {}) == to_svg(run->picture.drawing, {}),
+    require(again && to_svg(again->drawing, {}) == to_svg(run->drawing, {}),
             "deriving again gives the same");
     std::string listed;
     list_choices(opened, checked, *run, [&](std::string_view piece) { listed += piece; });

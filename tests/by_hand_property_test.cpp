@@ -140,7 +140,7 @@ TEST(ByHandProperty, DrawingsAreCleanPolygonsWhoseKeysStay) {
         ASSERT_FALSE(has_errors(all.checked.diagnostics)) << text;
         const auto run = run_document(all.opened, all.checked, {}, serial, {});
         if (!run) continue;
-        const Drawing& drawing = run->picture.drawing;
+        const Drawing& drawing = run->drawing;
         for (const DrawnShape& shape : drawing.shapes) {
             ASSERT_LT(shape.geometry, drawing.geometry.size());
             ASSERT_LT(shape.polygon, drawing.geometry[shape.geometry]->size());
@@ -153,7 +153,7 @@ TEST(ByHandProperty, DrawingsAreCleanPolygonsWhoseKeysStay) {
         ASSERT_EQ(painted, drawing.shapes.size());
         const auto again = run_document(all.opened, all.checked, {}, serial, {});
         ASSERT_TRUE(again);
-        ASSERT_EQ(to_svg(drawing, {}), to_svg(again->picture.drawing, {}));
+        ASSERT_EQ(to_svg(drawing, {}), to_svg(again->drawing, {}));
     }
 }
 

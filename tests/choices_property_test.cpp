@@ -35,7 +35,7 @@ State random_state(std::uint64_t seed, std::uint64_t edits) {
     return state;
 }
 
-std::string svg_of(const Run& run) { return to_svg(run.picture.drawing, {}); }
+std::string svg_of(const Run& run) { return to_svg(run.drawing, {}); }
 
 State with_edit(const DocumentState& state, DocumentEdit::Kind kind, const std::string& path,
                 const std::string& value = "") {
@@ -171,7 +171,7 @@ bool expect_carried(const DocumentState& state, CaseRandom& random, const TestFo
     SvgOptions options;
     const CarriedDocument carried_first = carried(first);
     options.carried = &carried_first;
-    const std::string svg = to_svg(run->picture.drawing, options);
+    const std::string svg = to_svg(run->drawing, options);
 
     const Result<OpenedDocument> opened = open_document(folder.write("picture.svg", svg), {});
     EXPECT_TRUE(opened) << text;
@@ -185,7 +185,7 @@ bool expect_carried(const DocumentState& state, CaseRandom& random, const TestFo
     const CarriedDocument carried_again = carried(*opened);
     EXPECT_EQ(carried_again, carried_first) << text;
     options.carried = &carried_again;
-    EXPECT_TRUE(to_svg(again->picture.drawing, options) == svg) << text;
+    EXPECT_TRUE(to_svg(again->drawing, options) == svg) << text;
     return true;
 }
 

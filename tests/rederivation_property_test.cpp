@@ -118,7 +118,7 @@ TEST(RederivationProperty, WhatIsTakenOverIsWhatWouldBeDerived) {
 
 // --- workspaces -------------------------------------------------------------------------------------------------
 
-std::string svg_of(const Workspace& workspace) { return to_svg(workspace.state->run.picture.drawing, {}); }
+std::string svg_of(const Workspace& workspace) { return to_svg(workspace.state->run.drawing, {}); }
 
 // All that a change that fails must leave as it is.
 struct Before {
@@ -220,7 +220,7 @@ std::string difference_after_files(const std::string& text, const Inputs& before
     options.previous = &old->tangle;
     const auto again = run_document(opened, checked, options, serial, {});
     EXPECT_TRUE(again);
-    EXPECT_NE(to_svg(old->picture.drawing, {}), to_svg(fresh->picture.drawing, {})) << "the change shows nowhere";
+    EXPECT_NE(to_svg(old->drawing, {}), to_svg(fresh->drawing, {})) << "the change shows nowhere";
     return difference(*again, *fresh);
 }
 

@@ -144,7 +144,7 @@ inline std::string difference(const Run& a, const Run& b) {
         return "style choices";
     }
     if (a.picture.met != b.picture.met) return "what styles have met";
-    if (to_svg(a.picture.drawing, {}) != to_svg(b.picture.drawing, {})) return "svg";
+    if (to_svg(a.drawing, {}) != to_svg(b.drawing, {})) return "svg";
     if (a.unmatched.size() != b.unmatched.size()) return "unmatched";
     return "";
 }

@@ -173,7 +173,7 @@ TEST(WrongEmbeddings, AChainAsDeepAsAllowed) {
     const auto result = run(*checked);
     ASSERT_TRUE(result) << to_text(result.diagnostics(), checked->opened.sources);
     EXPECT_TRUE(result->broken.empty());
-    EXPECT_GT(result->picture.drawing.shapes.size(), std::size_t{max_embedding_depth});
+    EXPECT_GT(result->drawing.shapes.size(), std::size_t{max_embedding_depth});
 }
 
 TEST(WrongEmbeddings, AChainDeeperThanAllowed) {
@@ -429,7 +429,7 @@ TEST(Embeddings, ShapesTooSmallStayEmpty) {
     ASSERT_TRUE(result) << to_text(result.diagnostics(), checked->opened.sources);
     EXPECT_TRUE(result->broken.empty());
     EXPECT_EQ(count_embedded(result->tangle), 0U);
-    EXPECT_GT(result->picture.drawing.shapes.size(), 1000U);
+    EXPECT_GT(result->drawing.shapes.size(), 1000U);
 }
 
 // In the units of a page that is laid over them they are as large as the page.

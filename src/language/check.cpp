@@ -15,7 +15,7 @@ Scope example_scope(std::span<const std::string_view> names, const Scope* outer)
     for (const std::string_view name : names) {
         Quantity quantity{static_cast<double>(3 + used % 4), 0, false};
         if (name == "area") quantity = {10069.27, 2, false};
-        if (name == "width" || name == "height" || name == "x" || name == "y") {
+        if (name == "width" || name == "height" || name == "x" || name == "y" || name == "z") {
             quantity = {lengths[used % std::size(lengths)], 1, false};
         }
         scope.names.emplace(std::string(name), Value{quantity, {}});

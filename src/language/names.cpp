@@ -13,6 +13,8 @@ constexpr std::string_view step_name_list[] = {"area", "width", "height", "count
 constexpr std::string_view shape_name_list[] = {"index", "x", "y", "i", "j"};
 constexpr std::string_view style_name_list[] = {"area",  "width", "height", "x",     "y",
                                                 "index", "i",     "j",      "depth", "group"};
+constexpr std::string_view word_style_name_list[] = {"index", "x",        "y",      "z",     "depth",
+                                                     "age",   "distance", "colour", "width", "group"};
 constexpr std::string_view special_forms[] = {"one_of", "normal", "each"};
 
 bool contains(std::span<const std::string_view> names, std::string_view name) {
@@ -51,6 +53,7 @@ Arity arity_of(const CallExpression& call, CallMeaning meaning) {
 std::span<const std::string_view> step_names() { return step_name_list; }
 std::span<const std::string_view> shape_names() { return shape_name_list; }
 std::span<const std::string_view> style_names() { return style_name_list; }
+std::span<const std::string_view> word_style_names() { return word_style_name_list; }
 
 const Value* Scope::find(std::string_view name) const {
     for (const Scope* scope = this; scope != nullptr; scope = scope->outer) {

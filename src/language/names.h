@@ -11,10 +11,12 @@
 namespace filigree {
 
 // Names that the steps of group grammars know in rules, that shapes know inside each(...), and that styles know.
-// width, height, x and y are lengths, area is an area, the others are bare numbers.
+// width, height, x, y and z are lengths, area is an area, the others are bare numbers.
 std::span<const std::string_view> step_names();
 std::span<const std::string_view> shape_names();
 std::span<const std::string_view> style_names();
+// What styles know of a symbol of a word; group is how deep it lies in branches, from 1.
+std::span<const std::string_view> word_style_names();
 
 // The value of a name; null where it has none. Inside each(...) the shape's names come first.
 const Value* find_value(const Evaluation& at, std::string_view name, bool by_shape);

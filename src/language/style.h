@@ -73,7 +73,7 @@ struct StyleSheet {
 };
 
 // Checks every condition and value: unknown properties, names and words, wrong kinds, constants out of range.
-// Expressions may use the globals and, of the shape, area, width, height, x, y, index, i, j, depth and group.
+// Expressions may use the globals and, of the shape, style_names() (names.h), or word_style_names() of a symbol.
 // `settings` and `document` must outlive the result.
 Result<StyleSheet> read_styles(const Settings& settings, const Document& document);
 

@@ -1,5 +1,6 @@
 // Reading and checking styles; declared in style.h.
 #include <algorithm>
+#include <span>
 
 #include "base/number_text.h"
 #include "language/check.h"
@@ -31,11 +32,12 @@ void append_new(Diagnostics& to, Diagnostics from) {
 // Checks expressions of styles; `at` has the names of an example shape.
 class StyleCheck {
 public:
-    StyleCheck(const Document& document, const Scope& globals)
+    StyleCheck(const Document& document, const Scope& globals, std::span<const std::string_view> names)
         : document_(document),
           globals_(globals),
+          names_(names),
           paint_words_(paint_words_beside(globals)),
-          shape_(example_scope(style_names(), nullptr)) {}
+          shape_(example_scope(names, nullptr)) {}
 
     const std::vector<std::string_view>& paint_words() const { return paint_words_; }
     const Scope& example_shape() const { return shape_; }
@@ -46,7 +48,7 @@ public:
         return at;
     }
     bool is_fixed(const Expression& expression, const Evaluation& at) const {
-        return is_constant(expression, at, &globals_, style_names());
+        return is_constant(expression, at, &globals_, names_);
     }
 
     // And what the condition is, where all shapes have the same.
@@ -71,7 +73,7 @@ public:
         for (const Alternative& alternative : alternatives_of(expression, true)) {
             const bool fixed = is_fixed(*alternative.expression, at);
             const bool fixed_choice = alternative.kind == Alternative::Kind::range &&
-                                      uses_only(*alternative.expression, at, &globals_, style_names());
+                                      uses_only(*alternative.expression, at, &globals_, names_);
             const Result<Value> value = evaluate(*alternative.expression, at);
             if (!value) {
                 append_new(problems, certain(value.diagnostics(), fixed || fixed_choice));
@@ -87,6 +89,7 @@ public:
 private:
     const Document& document_;
     const Scope& globals_;
+    const std::span<const std::string_view> names_;  // of what a style is asked for
     const std::vector<std::string_view> paint_words_;
     const Scope shape_;
 };
@@ -94,7 +97,9 @@ private:
 class StyleReader {
 public:
     StyleReader(const Settings& settings, const Document& document)
-        : settings_(settings), document_(document), check_(document, settings.globals) {}
+        : settings_(settings),
+          document_(document),
+          check_(document, settings.globals, settings.engine == "rewriting" ? word_style_names() : style_names()) {}
 
     Result<StyleSheet> run() {
         StyleSheet sheet{&document_, &settings_, {}, check_.paint_words()};
@@ -174,7 +179,7 @@ Result<StyleSheet> read_styles(const Settings& settings, const Document& documen
 
 Diagnostics check_style_preset(std::string_view property, const Expression& value, const Document& document,
                                const Scope& globals) {
-    const StyleCheck check(document, globals);
+    const StyleCheck check(document, globals, style_names());
     std::optional<bool> constant;
     if (property == "when") return check.problems_of_condition(value, constant);
     const std::optional<StylePropertyKind> kind = find_style_property(property);

@@ -19,6 +19,17 @@ constexpr std::array settings = {
     WordSetting{"mode", "mode grow", "of a subsystem: instant or grow"},
     WordSetting{"array", "array M [10] [10]", "words by their place; a cell is written M[3][9] -> \"ab\""},
     WordSetting{"register", "register ix 3", "a number that rules may change"},
+    WordSetting{"angle", "angle 30", "degrees by which + and - turn", true},
+    WordSetting{"angle2", "angle2 45", "degrees by which < and > turn; as angle unless said", true},
+    WordSetting{"plus", "plus counterclockwise", "which way + turns: clockwise or counterclockwise", true},
+    WordSetting{"step", "step 10", "how far a letter goes; unless said, a page scales the drawing", true},
+    WordSetting{"width", "width 0.5mm", "of the lines", true},
+    WordSetting{"widening", "widening 1.25", "how much wider a letter of the use `wider` makes lines", true},
+    WordSetting{"letter", "letter b box(20, 10, 6)", "what a letter does when it is drawn, or a shape that it places",
+                true},
+    WordSetting{"formula", "formula k * 15", "degrees of the k-th ?, of k, t, depth, age, x, y and z; or a list", true},
+    WordSetting{"colours", "colours [#1a1a1a, #a03020]", "a palette for next_colour and previous_colour", true},
+    WordSetting{"view", "view 30, 25", "from where words in space are seen: azimuth and elevation, degrees", true},
 };
 
 }  // namespace

@@ -11,6 +11,7 @@ struct WordSetting {
     std::string_view name;
     std::string_view example;  // as a document writes it
     std::string_view help;     // one line, lower case, no full stop
+    bool is_of_drawing = false;
 };
 
 std::span<const WordSetting> word_settings();

@@ -78,6 +78,11 @@ public:
             Result<rewriting::Grammar> words = rewriting::read_grammar(*settings, opened.document);
             take(words.diagnostics());
             if (words) checked.words = std::move(*words);
+            Result<rewriting::DrawRules> draw_rules = rewriting::read_draw_rules(*settings, opened.document);
+            take(draw_rules.diagnostics());
+            if (draw_rules) checked.draw_rules = std::move(*draw_rules);
+            take(read_styles(*settings, opened.document).diagnostics());
+            checked.shapes = std::make_shared<const ShapeSource>(opened.inputs, settings->resolution);
             checked.settings = std::move(*settings);
             return checked;
         }

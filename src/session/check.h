@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "derivation/plane_start.h"
+#include "engines/rewriting/draw_rules.h"
 #include "engines/rewriting/grammar.h"
 #include "engines/tangle/grammar.h"
 #include "engines/tangle/graph.h"
@@ -15,12 +16,13 @@
 namespace filigree {
 
 struct CheckedDocument {
-    std::optional<Settings> settings;           // none where they could not be read
-    std::optional<tangle::Grammar> grammar;     // likewise
-    std::optional<PlaneStart> start;            // likewise
-    std::optional<rewriting::Grammar> words;    // of a rewriting document, which has no more than that and settings
-    std::shared_ptr<const ShapeSource> shapes;  // what its forms mean; null where the settings could not be read
-    std::vector<const GroupRule*> rules;        // as they stand in the document
+    std::optional<Settings> settings;                // none where they could not be read
+    std::optional<tangle::Grammar> grammar;          // likewise
+    std::optional<PlaneStart> start;                 // likewise
+    std::optional<rewriting::Grammar> words;         // of a rewriting document, which has neither grammar nor start
+    std::optional<rewriting::DrawRules> draw_rules;  // likewise
+    std::shared_ptr<const ShapeSource> shapes;       // what its forms mean; null where the settings could not be read
+    std::vector<const GroupRule*> rules;             // as they stand in the document
     tangle::RuleGraph graph;
     std::shared_ptr<const Replay> replay;  // of OpenedDocument::choices; null where there are none
     // Of OpenedDocument::embedded, each checked once and shared like that; null where that is.

@@ -67,8 +67,8 @@ TEST(ListChoices, AreReplayedWithAnotherSeed) {
     ASSERT_TRUE(replay);
     const auto other = ran(with_seed(all->opened.document, 99));
     const auto again = ran(with_seed(all->opened.document, 99), &*replay);
-    EXPECT_NE(to_svg(all->run.picture.drawing, {}), to_svg(other->run.picture.drawing, {}));
-    EXPECT_EQ(to_svg(all->run.picture.drawing, {}), to_svg(again->run.picture.drawing, {}));
+    EXPECT_NE(to_svg(all->run.drawing, {}), to_svg(other->run.drawing, {}));
+    EXPECT_EQ(to_svg(all->run.drawing, {}), to_svg(again->run.drawing, {}));
     for (const ChoiceSource source : again->run.tangle.choices.sources) EXPECT_EQ(source, ChoiceSource::replayed);
 }
 
@@ -109,11 +109,11 @@ TEST(Variations, DifferOnlyInWhatIsFree) {
     options.distance = 1;
     const auto neighbours = variations(all->opened, all->checked, all->run, options);
     ASSERT_TRUE(neighbours);
-    std::set<std::string> pictures{to_svg(all->run.picture.drawing, {})};
+    std::set<std::string> pictures{to_svg(all->run.drawing, {})};
     for (const Variation& one : *neighbours) {
         EXPECT_EQ(one.text.rfind(text, 0), 0U) << "nothing but statements at the end";
         const auto other = ran(one.text);
-        EXPECT_TRUE(pictures.insert(to_svg(other->run.picture.drawing, {})).second);
+        EXPECT_TRUE(pictures.insert(to_svg(other->run.drawing, {})).second);
         EXPECT_EQ(other->checked.settings->globals.find("gap")->data, all->checked.settings->globals.find("gap")->data);
         const auto first = [](const Ran& run) { return run.run.tangle.groups[1].shapes; };
         EXPECT_EQ(first(*other), first(*all)) << "what is set stays";

@@ -70,6 +70,7 @@ rewriting::DeriveOptions word_options(const OpenedDocument& opened, const Checke
     options.limits = checked.settings->limits;
     options.document = &opened.document;
     options.globals = &checked.settings->globals;
+    options.with_ages = rewriting::asks_for_ages(*checked.draw_rules, *checked.settings);
     return options;
 }
 
@@ -96,12 +97,34 @@ Result<rewriting::Derivation> derive_word(const OpenedDocument& opened, const Ch
     return derivation;
 }
 
+namespace {
+
+Result<Run> run_word(const OpenedDocument& opened, const CheckedDocument& checked, const RunOptions& options,
+                     Executor& executor, const Job& job) {
+    const double begin = now_seconds();
+    Result<rewriting::Derivation> derivation = derive_word(opened, checked, options.steps, executor, job);
+    if (!derivation) return derivation.diagnostics();
+    const double derived = now_seconds();
+    rewriting::DrawOptions draw;
+    draw.shapes = checked.shapes.get();
+    draw.job = {job.cancel_flag, {}};
+    Result<rewriting::Picture> picture =
+        rewriting::draw(*derivation, *checked.draw_rules, *checked.settings, opened.document, draw);
+    if (!picture) return picture.diagnostics();
+    Run run;
+    run.diagnostics = picture.diagnostics();
+    run.drawing = std::move(picture->drawing);
+    run.word = WordRun{std::move(*derivation), std::move(picture->symbols)};
+    run.times.derive = derived - begin;
+    run.times.draw = now_seconds() - derived;
+    return run;
+}
+
+}  // namespace
+
 Result<Run> run_document(const OpenedDocument& opened, const CheckedDocument& checked, const RunOptions& options,
                          Executor& executor, const Job& job) {
-    if (checked.words) {
-        return error("document.no-drawing", "the words of a rewriting grammar are not drawn",
-                     checked.settings->engine_span, {"'filigree derive' prints them"});
-    }
+    if (checked.words) return run_word(opened, checked, options, executor, job);
     Run run;
     const Settings& settings = *checked.settings;
     const double begin = now_seconds();
@@ -117,11 +140,12 @@ Result<Run> run_document(const OpenedDocument& opened, const CheckedDocument& ch
     if (!picture) return picture.diagnostics();
     append(run.diagnostics, picture.diagnostics());
     run.picture = std::move(*picture);
+    run.drawing = std::move(run.picture.drawing);
     if (checked.start->symmetry) {
-        Result<Drawing> all = repeated_over_page(run.picture.drawing, *checked.start, settings, {job.cancel_flag, {}});
+        Result<Drawing> all = repeated_over_page(run.drawing, *checked.start, settings, {job.cancel_flag, {}});
         if (!all) return all.diagnostics();
         append(run.diagnostics, all.diagnostics());
-        run.picture.drawing = std::move(*all);
+        run.drawing = std::move(*all);
     }
     run.times.draw = now_seconds() - derived;
 

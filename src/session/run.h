@@ -9,7 +9,7 @@
 #include "base/executor.h"
 #include "base/job.h"
 #include "derivation/plane_start.h"
-#include "engines/rewriting/derive.h"
+#include "engines/rewriting/draw.h"
 #include "engines/tangle/draw.h"
 #include "engines/tangle/tangle.h"
 #include "scene/drawing.h"
@@ -36,9 +36,17 @@ struct UnmatchedPreset {
     SourceSpan span;
 };
 
+// What a rewriting document came to.
+struct WordRun {
+    rewriting::Derivation derivation;
+    std::vector<std::uint64_t> drawn_symbols;  // rewriting::Picture::symbols
+};
+
 struct Run {
-    tangle::Tangle tangle;
-    tangle::Picture picture;
+    tangle::Tangle tangle;        // without groups where there is a word
+    tangle::Picture picture;      // without its drawing
+    std::optional<WordRun> word;  // of a rewriting document
+    Drawing drawing;
     Diagnostics diagnostics;  // warnings
     std::vector<UnmatchedPreset> unmatched;
     std::vector<std::string> broken;  // invariants that do not hold; empty if not verified
@@ -57,7 +65,7 @@ rewriting::DeriveOptions word_options(const OpenedDocument& opened, const Checke
 Result<rewriting::Derivation> derive_word(const OpenedDocument& opened, const CheckedDocument& checked,
                                           std::optional<std::uint64_t> steps, Executor& executor, const Job& job);
 
-// Likewise; an error for words, which are not drawn.
+// With a drawing of what was derived.
 Result<Run> run_document(const OpenedDocument& opened, const CheckedDocument& checked, const RunOptions& options,
                          Executor& executor, const Job& job);
 

@@ -25,7 +25,7 @@ Workspace opened() {
     return std::move(*workspace);
 }
 
-std::string svg(const Workspace& workspace) { return to_svg(workspace.state->run.picture.drawing, {}); }
+std::string svg(const Workspace& workspace) { return to_svg(workspace.state->run.drawing, {}); }
 
 Diagnostics set(Workspace& workspace, const std::string& path, const std::string& value, const Job& job = {}) {
     const Result<std::string> text =

@@ -121,7 +121,7 @@ int run_variations(const VariationsCommand& command) {
         const bool is_too_large =
             !run && !is_cancelled(job) && !run.diagnostics().empty() && run.diagnostics().front().fault == Fault::limit;
         if (!run && !is_too_large) return print_diagnostics(run.diagnostics(), opened.sources);
-        drawings.push_back(run ? std::move(run->picture.drawing) : Drawing());
+        drawings.push_back(run ? std::move(run->drawing) : Drawing());
         cells.push_back({nullptr, variation.label + (run ? "" : "  (over a limit)")});
         is_drawn.push_back(static_cast<bool>(run));
     }

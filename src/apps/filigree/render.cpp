@@ -73,7 +73,7 @@ Outcome render_once(const RenderCommand& command, Executor& executor, const Job&
         if (is_cancelled(job)) return {print_diagnostics({cancelled_diagnostic()}, {}), read};
         report(job, "write", -1);
         Result<std::string> bytes =
-            encoded(run->picture.drawing, output,
+            encoded(run->drawing, output,
                     {command.dpi, command.lean, &document, fs::path(opened->name).stem().string()});
         if (!bytes) return {print_diagnostics(bytes.diagnostics(), {}), read};
         files.push_back({output, std::move(*bytes)});

@@ -179,6 +179,7 @@ private:
         const Name* axiom = nullptr;
         for (const Statement& statement : statements) {
             if (const auto* setting = std::get_if<SettingStatement>(&statement.node)) {
+                if (find_word_setting(setting->name.text)->is_of_drawing) continue;  // read_draw_rules
                 const bool may_repeat = setting->name.text == "free" || setting->name.text == "array" ||
                                         setting->name.text == "register" || setting->name.text == "gain";
                 if (!may_repeat && !said.insert(setting->name.text).second) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "derivation/page_canvas.h"
 #include "engines/tangle/paths.h"
 #include "engines/tangle/scopes.h"
 #include "language/style.h"
@@ -302,29 +303,6 @@ private:
     Diagnostics errors_;
 };
 
-// The starts in the middle of the page; a page that fits lies around them.
-Canvas canvas_of(const Tangle& tangle, const Settings& settings, const Document& document, Diagnostics& warnings) {
-    const Box box = bounds(*tangle.geometry[0]);
-    const Vec low = to_px(box.min), high = to_px(box.max);
-    const Vec extent = high - low;
-    Canvas canvas;
-    const Unit unit = document.units.empty() ? Unit::px : document.units[0];
-    canvas.in_mm = settings.page.in_mm || unit == Unit::mm || unit == Unit::cm || unit == Unit::m;
-    if (settings.page.kind == PageStatement::Kind::fit) {
-        fit_canvas(canvas, box, settings.page.margin);
-        return canvas;
-    }
-    canvas.size = {settings.page.width, settings.page.height};
-    canvas.origin = 0.5 * (low + high) - 0.5 * canvas.size;
-    const double margin = settings.page.margin.value_or(0);
-    if (settings.page.kind == PageStatement::Kind::tile) return canvas;  // what crosses its edges comes in again
-    if (extent.x > canvas.size.x - 2 * margin + 1e-6 || extent.y > canvas.size.y - 2 * margin + 1e-6) {
-        warnings.push_back(warning("page.too-small", "the starts are larger than the page within its margins", {},
-                                   {"a larger page, a smaller start, or `page fit`"}));
-    }
-    return canvas;
-}
-
 }  // namespace
 
 Result<Picture> draw(const Tangle& tangle, const Grammar& grammar, const Settings& settings, const Document& document,
@@ -332,7 +310,7 @@ Result<Picture> draw(const Tangle& tangle, const Grammar& grammar, const Setting
     Result<StyleSheet> sheet = read_styles(settings, document);
     if (!sheet) return sheet.diagnostics();
     Diagnostics warnings;
-    const Canvas canvas = canvas_of(tangle, settings, document, warnings);
+    const Canvas canvas = page_canvas(settings, document, bounds(*tangle.geometry[0]), "the starts", warnings);
     Result<Picture> picture = Drawer(tangle, grammar, settings, document, std::move(*sheet), options).draw();
     if (!picture) return picture;
     picture->drawing.canvas = canvas;

@@ -1,0 +1,516 @@
+#include "engines/rewriting/draw.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "derivation/page_canvas.h"
+#include "engines/rewriting/turtle_flat.h"
+#include "engines/rewriting/word_attributes.h"
+#include "language/form_value.h"
+#include "language/style.h"
+#include "language/walk.h"
+#include "plane/clean.h"
+#include "plane/moved_polygon.h"
+#include "plane/transform.h"
+#include "scene/drawn_pen.h"
+
+namespace filigree::rewriting {
+namespace {
+
+constexpr Colour ink{0, 0, 0, 255}, paper{255, 255, 255, 255};
+
+bool mentions(const ExpressionPtr& expression, std::string_view name) {
+    if (!expression) return false;
+    const std::vector<NameInExpression> names = names_in(*expression);
+    return std::any_of(names.begin(), names.end(), [&](const NameInExpression& one) { return one.text == name; });
+}
+
+Value bare(double value) { return Value{Quantity{value}, {}}; }
+Value length_value(double px) { return Value{Quantity{px, 1, false}, {}}; }
+
+// From the turtle's wall, where y goes up, to the page.
+struct PagePlace {
+    double scale = 1;
+    Vec offset;
+
+    Vec operator()(Vec3 p) const { return {scale * p.x + offset.x, offset.y - scale * p.y}; }
+};
+
+struct Extent {
+    Vec low{1e300, 1e300}, high{-1e300, -1e300};
+
+    void add(Vec p) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    bool is_empty() const { return low.x > high.x; }
+};
+
+// What styles may ask of a symbol, gone through in the order of the word.
+class SymbolWalk {
+public:
+    SymbolWalk(const Word& word, const Alphabet& alphabet) : word_(word), alphabet_(alphabet) {}
+
+    std::uint64_t index = 0;  // among symbols that are no '='
+    std::uint32_t depth = 0, distance = 0;
+
+    void advance_to(std::uint64_t place) {
+        for (; place_ < place; ++place_) {
+            const Symbol symbol = word_.symbols[place_];
+            if (symbol == Alphabet::freeze) continue;
+            const char32_t letter = alphabet_[symbol].letter;
+            ++index;
+            if (letter == U'[') {
+                ++depth;
+                branches_.push_back(distance);
+            } else if (letter == U']' && !branches_.empty()) {
+                --depth;
+                distance = branches_.back();
+                branches_.pop_back();
+            } else if (is_object(letter)) {
+                ++distance;
+            }
+        }
+    }
+    std::uint32_t age() const { return index < word_.ages.size() ? word_.ages[index] : 1; }
+    Key key(Key root) const { return child(root, index < word_.keys.size() ? word_.keys[index] : index); }
+
+private:
+    const Word& word_;
+    const Alphabet& alphabet_;
+    std::uint64_t place_ = 0;
+    std::vector<std::uint32_t> branches_;
+};
+
+class WordDrawer {
+public:
+    WordDrawer(const Derivation& derivation, const DrawRules& rules, const Settings& settings, const Document& document,
+               StyleSheet sheet, const DrawOptions& options)
+        : derivation_(derivation),
+          word_(derivation.word),
+          rules_(rules),
+          settings_(settings),
+          document_(document),
+          sheet_(std::move(sheet)),
+          options_(options),
+          walk_(word_, derivation.alphabet) {
+        for (std::size_t s = 0; s < derivation.alphabet.size(); ++s) {
+            const char32_t letter = derivation.alphabet[static_cast<Symbol>(s)].letter;
+            letter_styles_.push_back(style_of_tag(sheet_, to_utf8(std::u32string(1, letter))));
+        }
+    }
+
+    Result<Picture> run() {
+        Diagnostics problems;
+        const TurtleSettings turtle = turtle_settings(rules_, derivation_.iteration, settings_, document_, problems);
+        if (const std::optional<TagStyle> common = common_line_style()) {
+            Result<std::optional<FlatDrawing>> flat =
+                flat_drawing(word_.symbols, derivation_.alphabet, turtle, settings_.limits.elements);
+            if (!flat) return flat.diagnostics();
+            if (*flat) return draw_flat(**flat, common->common);
+        }
+        const Result<TurtleDrawing> turtled =
+            turtle_drawing(word_, derivation_.alphabet, turtle, settings_.limits.elements);
+        if (!turtled) return turtled.diagnostics();
+        if (!problems.empty()) return problems;
+        if (!read_forms()) return errors_;
+        return draw_in_wall(*turtled);
+    }
+
+private:
+    // --- styles ---
+
+    // Where all letters look the same, whatever stands around them, and no pen is moved by hand.
+    std::optional<TagStyle> common_line_style() const {
+        const TagStyle* common = nullptr;
+        for (const TagStyle& style : letter_styles_) {
+            if (!style.is_constant || (common != nullptr && !(style.common == common->common))) return std::nullopt;
+            common = &style;
+        }
+        if (common == nullptr || common->common.line == LineQuality::drawn) return std::nullopt;
+        return *common;
+    }
+
+    Colour colour_of(std::int64_t level) const {
+        if (rules_.colours.empty()) return ink;
+        const auto count = static_cast<std::int64_t>(rules_.colours.size());
+        return rules_.colours[static_cast<std::size_t>((level % count + count) % count)];
+    }
+
+    enum class Kind { line, face };
+
+    static void apply(const StyleOverride& over, Style& style) {
+        if (over.fill) style.fill = *over.fill;
+        if (over.stroke) style.stroke = *over.stroke;
+        if (over.pen) style.pen = *over.pen;
+        if (over.corner) style.corner = *over.corner;
+    }
+    Style base_style(Kind kind, double width, std::int64_t colour) const {
+        Style style;
+        style.pen = width;
+        style.stroke = colour_of(colour);
+        style.is_open = kind == Kind::line;
+        if (kind == Kind::face) style.fill = rules_.colours.empty() ? paper : colour_of(colour);
+        return style;
+    }
+
+    struct Look {
+        Style style;
+        bool is_drawn = false;  // by hand
+    };
+    // Of what a symbol draws; the walk stands there.
+    Look look_of(Kind kind, std::uint64_t symbol, double width, std::int64_t colour, Vec3 at) {
+        Look look{base_style(kind, width, colour), false};
+        const TagStyle& of_letter = letter_styles_[word_.symbols[symbol]];
+        StyleOverride over = of_letter.common;
+        if (!of_letter.is_constant) {
+            Scope scope;
+            scope.outer = &settings_.globals;
+            scope.names = {{"index", bare(static_cast<double>(walk_.index))},
+                           {"x", length_value(at.x)},
+                           {"y", length_value(at.y)},
+                           {"z", length_value(at.z)},
+                           {"depth", bare(walk_.depth)},
+                           {"age", bare(walk_.age())},
+                           {"distance", bare(walk_.distance)},
+                           {"colour", bare(static_cast<double>(colour))},
+                           {"width", length_value(width)},
+                           {"group", bare(walk_.depth + 1.0)}};
+            Result<StyleOverride> style = style_of_shape(sheet_, of_letter, scope, walk_.key(options_.root));
+            if (style) {
+                over = *style;
+            } else if (errors_.empty()) {
+                errors_ = style.diagnostics();
+            }
+        }
+        apply(over, look.style);
+        look.is_drawn = kind == Kind::line && over.line == LineQuality::drawn;
+        return look;
+    }
+
+    std::uint32_t index_of(const Style& style) {
+        if (!picture_.drawing.styles.empty() && picture_.drawing.styles[last_style_] == style) return last_style_;
+        const auto found = std::find(picture_.drawing.styles.begin(), picture_.drawing.styles.end(), style);
+        last_style_ = static_cast<std::uint32_t>(found - picture_.drawing.styles.begin());
+        if (found == picture_.drawing.styles.end()) picture_.drawing.styles.push_back(style);
+        return last_style_;
+    }
+
+    // --- what letters place ---
+
+    bool read_forms() {
+        for (const PlacedForm& placed : rules_.forms) {
+            Polygons polygons;
+            if (placed.form.name == "box") {
+                const double length = number_of(placed.form, "length"), half = number_of(placed.form, "breadth") / 2;
+                for (const Vec p : {Vec{0, -half}, Vec{length, -half}, Vec{length, half}, Vec{0, half}}) {
+                    polygons.points.push_back(snap(p));
+                }
+                polygons.end_ring();
+                polygons.end_polygon();
+            } else {
+                const Result<std::shared_ptr<const ShapeOutlines>> outlines = options_.shapes->outlines(placed.form);
+                if (!outlines) {
+                    errors_ = outlines.diagnostics();
+                    return false;
+                }
+                polygons = clean((*outlines)->lines, (*outlines)->rule);
+                if (polygons.empty()) {
+                    errors_.push_back(error("rewriting.empty-form",
+                                            "'" + placed.form.name + "' encloses no area that could be placed",
+                                            placed.span));
+                    return false;
+                }
+            }
+            forms_.push_back(std::move(polygons));
+        }
+        return true;
+    }
+
+    // From the form's coordinates, which have y downwards, to the page.
+    static Transform transform_of(const TurtleShape& shape, const PagePlace& place) {
+        const double s = shape.scale * place.scale;
+        const Vec at = place(shape.position);
+        const Frame& frame = shape.frame;
+        return {s * frame.heading.x, -s * frame.heading.y, -s * frame.left.x, s * frame.left.y, at.x, at.y};
+    }
+
+    const Polygons& form_of(const TurtleDrawing& turtled, const TurtleShape& shape) const {
+        return forms_[static_cast<std::size_t>(std::stoul(turtled.shape_names[shape.name]))];
+    }
+
+    // --- the page ---
+
+    Extent extent_of(const TurtleDrawing& turtled) const {
+        Extent extent;
+        const PagePlace as_it_is;
+        for (const TurtleSegment& segment : turtled.segments) {
+            extent.add(as_it_is(segment.from));
+            extent.add(as_it_is(segment.to));
+        }
+        for (const Vec3 corner : turtled.corners) extent.add(as_it_is(corner));
+        for (const TurtleShape& shape : turtled.shapes) {
+            const Box box = bounds(form_of(turtled, shape));
+            const Transform to_page = transform_of(shape, as_it_is);
+            for (const Point corner : {box.min, box.max, Point{box.min.x, box.max.y}, Point{box.max.x, box.min.y}}) {
+                extent.add(filigree::apply(to_page, to_px(corner)));
+            }
+        }
+        return extent;
+    }
+    // A page of its own size is filled, unless the document says how long a step is.
+    PagePlace place_of(const Extent& extent) const {
+        const Page& page = settings_.page;
+        const bool fills = page.kind == PageStatement::Kind::size || page.kind == PageStatement::Kind::named;
+        if (!fills || rules_.has_own_step || extent.is_empty()) return {};
+        const double margin = page.margin.value_or(0);
+        const Vec room{page.width - 2 * margin, page.height - 2 * margin}, size = extent.high - extent.low;
+        if (!(room.x > 0 && room.y > 0) || !(std::max(size.x, size.y) > 0)) return {};
+        PagePlace place;
+        place.scale = std::min(size.x > 0 ? room.x / size.x : 1e300, size.y > 0 ? room.y / size.y : 1e300);
+        place.offset = -0.5 * place.scale * (extent.low + extent.high);
+        return place;
+    }
+    bool is_on_page(const Extent& extent, const PagePlace& place) {
+        if (extent.is_empty()) return true;
+        const Vec low = place.scale * extent.low + place.offset, high = place.scale * extent.high + place.offset;
+        if (is_on_plane(low) && is_on_plane(high)) return true;
+        errors_.push_back(fault(Fault::limit, "rewriting.too-far", "the word leads farther than 2^30 px away"));
+        return false;
+    }
+    Result<Picture> finished(const Extent& extent, const PagePlace& place) {
+        Diagnostics warnings;
+        Box box{{0, 0}, {0, 0}};
+        if (!extent.is_empty()) {
+            box = {snap(place.scale * extent.low + place.offset), snap(place.scale * extent.high + place.offset)};
+        }
+        double pen = 0;
+        for (const Style& style : picture_.drawing.styles) pen = has_stroke(style) ? std::max(pen, style.pen) : pen;
+        const auto reach = static_cast<std::int64_t>(std::min(pen / 2, 0x1p20) * grid_per_px);
+        if (settings_.page.kind == PageStatement::Kind::fit) {
+            box = {{box.min.x - reach, box.min.y - reach}, {box.max.x + reach, box.max.y + reach}};
+        }
+        Drawing& drawing = picture_.drawing;
+        drawing.canvas = page_canvas(settings_, document_, box, "the lines", warnings);
+        geometry_.polygon_ends.shrink_to_fit();
+        drawing.geometry = {std::make_shared<const Polygons>(std::move(geometry_))};
+        drawing.groups = {{"word", 0, static_cast<std::uint32_t>(drawing.shapes.size()), 0, 0, {}}};
+        return {std::move(picture_), std::move(warnings)};
+    }
+
+    // --- lines, faces ---
+
+    void add_shape(const Style& style, Key key, std::uint64_t symbol) {
+        picture_.drawing.shapes.push_back({0, static_cast<std::uint32_t>(geometry_.size() - 1), index_of(style), key});
+        picture_.symbols.push_back(symbol);
+    }
+    void add_point(Point p, std::size_t first) {
+        if (geometry_.points.size() == first || geometry_.points.back() != p) geometry_.points.push_back(p);
+    }
+    // The points from `first` on become a line; where all are one, a dot stays.
+    void end_line(std::size_t first, const Look& look, Key key, std::uint64_t symbol) {
+        if (geometry_.points.size() == first) return;
+        if (!has_stroke(look.style)) {
+            geometry_.points.resize(first);
+            return;
+        }
+        if (geometry_.points.size() == first + 1) geometry_.points.push_back(geometry_.points.back());
+        if (look.is_drawn) {
+            const std::vector<Point> line(geometry_.points.begin() + static_cast<std::ptrdiff_t>(first),
+                                          geometry_.points.end());
+            geometry_.points.resize(first);
+            const Polygons strokes = drawn_stroke(line, false, look.style.pen, key);
+            Style filled;
+            filled.fill = look.style.stroke;
+            for (std::size_t i = 0; i < strokes.size(); ++i) {
+                geometry_.add(strokes[i]);
+                add_shape(filled, key, symbol);
+            }
+            return;
+        }
+        geometry_.end_ring();
+        geometry_.end_polygon();
+        add_shape(look.style, key, symbol);
+    }
+
+    Result<Picture> draw_flat(const FlatDrawing& flat, const StyleOverride& over) {
+        Extent extent;
+        for (const FlatRun& run : flat.runs) {
+            for (const Vec p : flat.points().subspan(run.first, run.count)) extent.add({p.x, -p.y});
+        }
+        const PagePlace place = place_of(extent);
+        if (!is_on_page(extent, place)) return errors_;
+        geometry_.points.reserve(flat.point_count);
+        for (std::size_t r = 0; r < flat.runs.size(); ++r) {
+            const FlatRun& run = flat.runs[r];
+            Look look{base_style(Kind::line, run.width, run.colour), false};
+            apply(over, look.style);
+            const std::size_t first = geometry_.points.size();
+            for (const Vec p : flat.points().subspan(run.first, run.count))
+                add_point(snap(place({p.x, p.y, 0})), first);
+            end_line(first, look, child(options_.root, r), 0);
+        }
+        picture_.symbols.clear();
+        return finished(extent, place);
+    }
+
+    Result<Picture> draw_in_wall(const TurtleDrawing& turtled) {
+        const Extent extent = extent_of(turtled);
+        const PagePlace place = place_of(extent);
+        if (!is_on_page(extent, place)) return errors_;
+        std::vector<TurtlePolygon> polygons = turtled.polygons;  // in the order in which they begin
+        std::sort(polygons.begin(), polygons.end(),
+                  [](const TurtlePolygon& a, const TurtlePolygon& b) { return a.symbol < b.symbol; });
+        auto polygon = polygons.begin();
+        auto shape = turtled.shapes.begin();
+        const auto draw_others_before = [&](std::uint64_t symbol) {
+            while (true) {
+                const std::uint64_t next_polygon = polygon != polygons.end() ? polygon->symbol : UINT64_MAX;
+                const std::uint64_t next_shape = shape != turtled.shapes.end() ? shape->symbol : UINT64_MAX;
+                if (std::min(next_polygon, next_shape) >= symbol) return;
+                if (next_polygon < next_shape) {
+                    draw_polygon(turtled, *polygon++, place);
+                } else {
+                    draw_shape(turtled, *shape++, place);
+                }
+            }
+        };
+        // The line that is being drawn.
+        std::size_t first = geometry_.points.size();
+        Look look;
+        Key key;
+        std::uint64_t symbol = 0;
+        Vec3 at;
+        const auto next_other = [&] {
+            const std::uint64_t next_polygon = polygon != polygons.end() ? polygon->symbol : UINT64_MAX;
+            return std::min(next_polygon, shape != turtled.shapes.end() ? shape->symbol : UINT64_MAX);
+        };
+        std::uint64_t done = 0;
+        for (const TurtleSegment& segment : turtled.segments) {
+            if ((++done & 0xFFFF) == 0 && is_cancelled(options_.job)) return cancelled_diagnostic();
+            const bool is_interrupted = next_other() < segment.symbol;
+            if (is_interrupted) {
+                end_line(first, look, key, symbol);
+                draw_others_before(segment.symbol);
+                first = geometry_.points.size();
+            }
+            walk_.advance_to(segment.symbol);
+            const Look now = look_of(Kind::line, segment.symbol, segment.width, segment.colour, segment.from);
+            if (!errors_.empty()) return errors_;
+            const bool goes_on = !is_interrupted && geometry_.points.size() > first && segment.from == at &&
+                                 now.style == look.style && now.is_drawn == look.is_drawn;
+            if (!goes_on) {
+                end_line(first, look, key, symbol);
+                first = geometry_.points.size();
+                look = now;
+                key = walk_.key(options_.root);
+                symbol = segment.symbol;
+                add_point(snap(place(segment.from)), first);
+            }
+            add_point(snap(place(segment.to)), first);
+            at = segment.to;
+        }
+        end_line(first, look, key, symbol);
+        draw_others_before(UINT64_MAX);
+        if (!errors_.empty()) return errors_;
+        return finished(extent, place);
+    }
+
+    void draw_polygon(const TurtleDrawing& turtled, const TurtlePolygon& polygon, const PagePlace& place) {
+        walk_.advance_to(polygon.symbol);
+        const Look look =
+            look_of(Kind::face, polygon.symbol, polygon.width, polygon.colour, turtled.corners[polygon.first]);
+        std::vector<Point> ring;
+        for (std::uint64_t i = 0; i < polygon.count; ++i)
+            ring.push_back(snap(place(turtled.corners[polygon.first + i])));
+        add_faces(clean(std::vector<std::vector<Point>>{std::move(ring)}, FillRule::nonzero), look, polygon.symbol);
+    }
+    void draw_shape(const TurtleDrawing& turtled, const TurtleShape& shape, const PagePlace& place) {
+        walk_.advance_to(shape.symbol);
+        const Look look = look_of(Kind::face, shape.symbol, shape.width, shape.colour, shape.position);
+        const Polygons& form = form_of(turtled, shape);
+        const Transform to_page = transform_of(shape, place);
+        Polygons moved, placed;
+        for (std::size_t i = 0; i < form.size(); ++i) {
+            moved = {};
+            for (std::size_t r = 0; r < form[i].ring_count(); ++r) {
+                for (const Point p : form[i].ring(r)) moved.points.push_back(snap(filigree::apply(to_page, to_px(p))));
+                moved.end_ring();
+            }
+            moved.end_polygon();
+            add_moved(placed, moved[0], determinant(to_page) < 0);
+        }
+        add_faces(placed, look, shape.symbol);
+    }
+    void add_faces(const Polygons& faces, const Look& look, std::uint64_t symbol) {
+        if (!has_fill(look.style) && !has_stroke(look.style)) return;
+        for (std::size_t i = 0; i < faces.size(); ++i) {
+            geometry_.add(faces[i]);
+            add_shape(look.style, child(walk_.key(options_.root), i), symbol);
+        }
+    }
+
+    const Derivation& derivation_;
+    const Word& word_;
+    const DrawRules& rules_;
+    const Settings& settings_;
+    const Document& document_;
+    const StyleSheet sheet_;
+    const DrawOptions& options_;
+    std::vector<TagStyle> letter_styles_;  // by symbol
+    SymbolWalk walk_;
+    std::vector<Polygons> forms_;  // of rules_.forms
+    Picture picture_;
+    Polygons geometry_;
+    std::uint32_t last_style_ = 0;
+    Diagnostics errors_;
+};
+
+}  // namespace
+
+bool asks_for_ages(const DrawRules& rules, const Settings& settings) {
+    if (mentions(rules.formula, "age")) return true;
+    return std::any_of(settings.styles.begin(), settings.styles.end(), [](const StyleStatement* style) {
+        return mentions(style->condition, "age") ||
+               std::any_of(style->properties.begin(), style->properties.end(),
+                           [](const StyleProperty& property) { return mentions(property.value, "age"); });
+    });
+}
+
+TurtleSettings turtle_settings(const DrawRules& rules, std::uint32_t iteration, const Settings& settings,
+                               const Document& document, Diagnostics& problems) {
+    TurtleSettings turtle = rules.turtle;
+    if (!rules.formula) return turtle;
+    turtle.formula = [&rules, iteration, &settings, &document, &problems](const AngleFacts& facts) {
+        Scope scope;
+        scope.outer = &settings.globals;
+        scope.names = {{"k", bare(static_cast<double>(facts.k))},
+                       {"t", bare(iteration)},
+                       {"depth", bare(static_cast<double>(facts.depth))},
+                       {"age", bare(facts.age)},
+                       {"x", length_value(facts.x)},
+                       {"y", length_value(facts.y)},
+                       {"z", length_value(facts.z)}};
+        Evaluation at;
+        at.document = &document;
+        at.scope = &scope;
+        const Result<Value> value = evaluate(*rules.formula, at);
+        const Result<double> angle = value ? as_angle(*value) : Result<double>(value.diagnostics());
+        if (angle) return *angle;
+        if (problems.empty()) problems = angle.diagnostics();
+        return 0.0;
+    };
+    return turtle;
+}
+
+Result<Picture> draw(const Derivation& derivation, const DrawRules& rules, const Settings& settings,
+                     const Document& document, const DrawOptions& options) {
+    Result<StyleSheet> sheet = read_styles(settings, document);
+    if (!sheet) return sheet.diagnostics();
+    return WordDrawer(derivation, rules, settings, document, std::move(*sheet), options).run();
+}
+
+}  // namespace filigree::rewriting

@@ -1,0 +1,42 @@
+// Drawing a word: the turtle's lines, polygons and placed shapes, in the order of the word.
+//
+// A line goes on as long as the pen stays down and its look stays the same, so that a plotter draws it without lifting.
+// `style a { ... }` is of the letter a; polygons have the style of the letter that begins them. Without a style, lines
+// are as wide as the turtle says, in ink or in its colour.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/job.h"
+#include "base/result.h"
+#include "engines/rewriting/derive.h"
+#include "engines/rewriting/draw_rules.h"
+#include "language/settings.h"
+#include "scene/drawing.h"
+
+namespace filigree::rewriting {
+
+struct DrawOptions {
+    Key root;                             // folded into all keys
+    const ShapeSource* shapes = nullptr;  // what placed forms mean; must not be null
+    Job job = {};                         // its progress is not reported
+};
+
+struct Picture {
+    Drawing drawing;
+    std::vector<std::uint64_t> symbols;  // of each shape of the drawing: which symbol of the word it begins with
+};
+
+// `word` must have ages where a style or the formula asks for them (asks_for_ages).
+Result<Picture> draw(const Derivation& derivation, const DrawRules& rules, const Settings& settings,
+                     const Document& document, const DrawOptions& options);
+
+bool asks_for_ages(const DrawRules& rules, const Settings& settings);
+
+// The turtle's settings, with the document's formula in them. What goes wrong in it is told in `problems`, which the
+// result points to, as it does to all arguments.
+TurtleSettings turtle_settings(const DrawRules& rules, std::uint32_t iteration, const Settings& settings,
+                               const Document& document, Diagnostics& problems);
+
+}  // namespace filigree::rewriting
