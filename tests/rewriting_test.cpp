@@ -36,20 +36,61 @@ TEST(Rewriting, LongWordsAreAskedWithoutMakingThem) {
     EXPECT_EQ(derived(koch, "--slice x").substr(0, 2), "2 ");
 }
 
-TEST(Rewriting, WhatIsNotThereYetIsSaid) {
+TEST(Rewriting, WordsAreDrawnInEveryFormat) {
     const TestFolder folder;
     const std::string words = folder.write("a.fil", koch);
-    const Ran rendered = run_program("render " + words + " -o " + folder / "a.svg");
-    EXPECT_EQ(rendered.status, 1);
-    EXPECT_NE(rendered.out.find("document.no-drawing"), std::string::npos) << rendered.out;
-    const Ran embedded = run_program(
-        "check " + folder.write("b.fil", "grammar tangle\nstart a = circle(50)\nembed(\"a.fil\") : a -> b\n"));
-    EXPECT_EQ(embedded.status, 1);
-    EXPECT_NE(embedded.out.find("embed.no-drawing"), std::string::npos) << embedded.out;
-    for (const char* command : {"choices ", "pick --at 0,0 ", "keep "}) {
-        const Ran ran = run_program(command + words + (std::string(command) == "keep " ? " a" : ""));
-        EXPECT_LE(ran.status, 4) << command << ran.out;
-    }
+    const std::string outputs = " -o " + folder / "a.svg" + " -o " + folder / "a.png" + " -o " + folder / "a.pdf";
+    const Ran rendered = run_program("render " + words + outputs + " --stats " + folder / "a.json");
+    ASSERT_EQ(rendered.status, 0) << rendered.out;
+    // One line, and as many points as symbols F, the first again at the end.
+    const std::string svg = read(folder / "a.svg");
+    EXPECT_EQ(svg.find("<path "), svg.rfind("<path "));
+    EXPECT_NE(read(folder / "a.json").find("\"length\": " + derived(koch, "--length").substr(2, 3)),
+              std::string::npos)
+        << read(folder / "a.json");
+    // What was written is opened again to the same bytes.
+    ASSERT_EQ(run_program("render " + folder / "a.svg" + " -o " + folder / "b.svg").status, 0);
+    EXPECT_EQ(read(folder / "b.svg"), svg);
+}
+
+TEST(Rewriting, WordsGrowInsideShapes) {
+    const TestFolder folder;
+    folder.write("a.fil", koch);
+    const std::string host =
+        folder.write("b.fil", "grammar tangle\nstart a = circle(50)\nembed(\"a.fil\") : a -> b\n");
+    ASSERT_EQ(run_program("render " + host + " -o " + folder / "b.svg").status, 0);
+    const std::string svg = read(folder / "b.svg");
+    EXPECT_NE(svg.find("stroke-linecap"), std::string::npos) << svg;
+    EXPECT_EQ(run_program("render " + host + " --threads 2 -o " + folder / "c.svg").status, 0);
+    EXPECT_EQ(read(folder / "c.svg"), svg);
+}
+
+TEST(Rewriting, SettingsOfDrawingThatAreWrong) {
+    const auto said = [](const std::string& text) {
+        const TestFolder folder;
+        const Ran ran = run_program("check " + folder.write("a.fil", "grammar rewriting\naxiom \"b\"\n" + text));
+        return std::to_string(ran.status) + " " + ran.out;
+    };
+    const auto expect = [&](const std::string& text, std::string_view code) {
+        const std::string out = said(text);
+        EXPECT_EQ(out[0], '1') << text << out;
+        EXPECT_NE(out.find(code), std::string::npos) << text << out;
+    };
+    EXPECT_EQ(said("letter b box(20, 10, 6)\nletter \"!\" wider\nview 30, -25\ncolours [#000, red]\n")[0], '0');
+    expect("letter b widr\n", "did you mean 'wider'");
+    expect("letter b box(20)\n", "language.missing-argument");
+    expect("letter b file(\"none.svg\")\n", "none.svg");
+    expect("letter bb line\n", "rewriting.bad-letter");
+    expect("angle 3 4\n", "rewriting.bad-setting");
+    expect("angle 3px\n", "language.wrong-kind");
+    expect("angle 3\nangle 4\n", "rewriting.repeated-setting");
+    expect("step 0\n", "rewriting.out-of-range");
+    expect("view 30, 100\n", "rewriting.out-of-range");
+    expect("formula kk * 3\n", "did you mean 'k'");
+    expect("colours []\n", "rewriting.bad-setting");
+    expect("plus up\n", "rewriting.bad-word");
+    expect("system A { axiom \"b\"; angle 3 }\n", "rewriting.misplaced-setting");
+    expect("style b when area > 3 { pen: 2 }\n", "area");
 }
 
 }  // namespace

@@ -111,13 +111,15 @@ private:
     void compare(const Embedded& a, const Embedded& b, const std::string& within) {
         same(a.elements, b.elements, within + "elements");
         if (!found_.empty()) return;
-        const auto& x = static_cast<const EmbeddedTangle&>(*a.run);
-        const auto& y = static_cast<const EmbeddedTangle&>(*b.run);
-        same(x.root, y.root, within + "root");
-        const bool was_inside = std::exchange(is_inside_, true);
-        compare(x.tangle, y.tangle, within);
-        is_inside_ = was_inside;
-        compare_choices(x.picture.choices, y.picture.choices, within + "style choices");
+        const EmbeddedTangle *x = tangle_in(a), *y = tangle_in(b);
+        if (!same(!x, !y, within + "is a tangle")) return;
+        if (x != nullptr) {
+            same(x->root, y->root, within + "root");
+            const bool was_inside = std::exchange(is_inside_, true);
+            compare(x->tangle, y->tangle, within);
+            is_inside_ = was_inside;
+            compare_choices(x->picture.choices, y->picture.choices, within + "style choices");
+        }
         same(to_svg(a.drawing, {}), to_svg(b.drawing, {}), within + "drawing");
     }
 

@@ -75,15 +75,10 @@ public:
         take(settings.diagnostics());
         // A rewriting document reads its systems itself.
         if (settings && settings->engine == "rewriting") {
-            Result<rewriting::Grammar> words = rewriting::read_grammar(*settings, opened.document);
-            take(words.diagnostics());
-            if (words) checked.words = std::move(*words);
-            Result<rewriting::DrawRules> draw_rules = rewriting::read_draw_rules(*settings, opened.document);
-            take(draw_rules.diagnostics());
-            if (draw_rules) checked.draw_rules = std::move(*draw_rules);
-            take(read_styles(*settings, opened.document).diagnostics());
-            checked.shapes = std::make_shared<const ShapeSource>(opened.inputs, settings->resolution);
             checked.settings = std::move(*settings);
+            checked.shapes = std::make_shared<const ShapeSource>(opened.inputs, checked.settings->resolution);
+            take(read_words(opened, checked));
+            take(read_styles(*checked.settings, opened.document).diagnostics());
             return checked;
         }
         for (const EmbeddedDocument& inner : opened.embedded) checked.embedded.push_back(check_embedded(inner));
@@ -126,14 +121,6 @@ private:
         if (known != known_.end()) return known->second;
         auto checked = std::make_shared<const CheckedDocument>(check(*inner.opened, example_site(inner.info)));
         known_.emplace(inner.opened.get(), checked);
-        if (checked->settings && checked->settings->engine == "rewriting") {
-            append(diagnostics, at_first_source({error("embed.no-drawing",
-                                                       "'" + inner.info.name +
-                                                           "' is a rewriting grammar, whose words "
-                                                           "are not drawn, so it cannot be embedded",
-                                                       checked->settings->engine_span)},
-                                                *inner.opened));
-        }
         return checked;
     }
 
@@ -172,6 +159,17 @@ CheckedDocument check_document(const OpenedDocument& opened, const Replay* repla
     append(all, std::move(checker.diagnostics));
     checked.diagnostics = each_once(std::move(all));
     return checked;
+}
+
+Diagnostics read_words(const OpenedDocument& opened, CheckedDocument& checked) {
+    Diagnostics problems;
+    Result<rewriting::Grammar> words = rewriting::read_grammar(*checked.settings, opened.document);
+    append(problems, words.diagnostics());
+    if (words) checked.words = std::move(*words);
+    Result<rewriting::DrawRules> draw_rules = rewriting::read_draw_rules(*checked.settings, opened.document);
+    append(problems, draw_rules.diagnostics());
+    if (draw_rules) checked.draw_rules = std::move(*draw_rules);
+    return problems;
 }
 
 std::vector<std::string> start_tags(const OpenedDocument& opened, const Settings& settings, const PlaneStart* start) {

@@ -39,6 +39,9 @@ CheckedDocument check_document(const OpenedDocument& opened, const Replay* repla
 std::vector<std::string> start_tags(const OpenedDocument& opened, const Settings& settings,
                                     const PlaneStart* start = nullptr);
 
+// What words are made by: fills in `words` and `draw_rules` of a document whose settings are there.
+Diagnostics read_words(const OpenedDocument& opened, CheckedDocument& checked);
+
 // What the document's `embed` may name.
 EmbeddableDocuments embeddable(const OpenedDocument& opened);
 

@@ -49,9 +49,6 @@ public:
         const std::optional<std::size_t> which = find(request);
         if (!which) return unknown(request);
         const EmbeddedDocument& document = opened_.embedded[*which];
-        auto run = std::make_shared<EmbeddedTangle>();
-        run->opened = document.opened;
-        run->root = request.site.root;
         // As places of the sources from those of `opened_` on: whoever derives that one shifts them further.
         const auto failed = [&](Diagnostics reasons) {
             for (Diagnostic& reason : reasons) {
@@ -63,41 +60,92 @@ public:
 
         Result<std::shared_ptr<const CheckedDocument>> checked = read(document, request);
         if (!checked) return failed(std::move(checked).diagnostics());
-        run->checked = *checked;
+        Result<std::shared_ptr<const Embedded>> embedded = (*checked)->words
+                                                               ? embedded_word(document, *checked, request)
+                                                               : embedded_tangle(*which, *checked, request);
+        if (!embedded) return failed(std::move(embedded).diagnostics());
+        return embedded;
+    }
+
+private:
+    Result<std::shared_ptr<const Embedded>> embedded_tangle(std::size_t which,
+                                                            std::shared_ptr<const CheckedDocument> checked,
+                                                            const EmbedRequest& request) {
+        const EmbeddedDocument& document = opened_.embedded[which];
+        auto run = std::make_shared<EmbeddedTangle>();
+        run->opened = document.opened;
+        run->checked = std::move(checked);
+        run->root = request.site.root;
         const Settings& settings = *run->checked->settings;
         Result<PlaneStart> start =
             make_plane_start(settings, document.opened->document, *run->checked->shapes, request.site, &request.host);
         if (!start) {
             const std::string& code = start.diagnostics().front().code;
             if (code == "start.too-small" || code == "start.empty") return std::shared_ptr<const Embedded>();
-            return failed(std::move(start).diagnostics());
+            return std::move(start).diagnostics();
         }
         run->start = std::move(*start);
 
         tangle::DeriveOptions options;
         options.site = request.site;
-        options.embed = inner_[*which];
+        options.embed = inner_[which];
         options.shapes = run->checked->shapes.get();
         options.element_budget = request.element_budget;
         SerialExecutor serial;
         Result<tangle::Tangle> tangle =
             tangle::derive(*run->checked->grammar, run->start, settings, document.opened->document, options, serial,
                            {job_.cancel_flag, {}});
-        if (!tangle) return failed(std::move(tangle).diagnostics());
+        if (!tangle) return std::move(tangle).diagnostics();
         run->tangle = std::move(*tangle);
         Result<tangle::Picture> picture =
             tangle::draw(run->tangle, *run->checked->grammar, settings, document.opened->document,
                          {tangle::ColourBy::style, request.site, {job_.cancel_flag, {}}});
-        if (!picture) return failed(std::move(picture).diagnostics());
+        if (!picture) return std::move(picture).diagnostics();
         if (run->start.symmetry) {
             Result<Drawing> all = repeated_over_page(picture->drawing, run->start, settings, {job_.cancel_flag, {}});
-            if (!all) return failed(std::move(all).diagnostics());
+            if (!all) return std::move(all).diagnostics();
             picture->drawing = std::move(*all);
         }
         return finished(std::move(run), std::move(*picture), request);
     }
 
-private:
+    // A word fits into the shape's box, and what reaches beyond the shape is cut off.
+    Result<std::shared_ptr<const Embedded>> embedded_word(const EmbeddedDocument& document,
+                                                          std::shared_ptr<const CheckedDocument> checked,
+                                                          const EmbedRequest& request) {
+        SerialExecutor serial;
+        WordOptions options;
+        options.root = request.site.root;
+        options.most_elements = request.element_budget;
+        Result<DrawnWord> drawn = draw_word(*document.opened, *checked, options, serial, {job_.cancel_flag, {}});
+        if (!drawn) return std::move(drawn).diagnostics();
+        auto run = std::make_shared<EmbeddedWord>();
+        run->opened = document.opened;
+        run->checked = std::move(checked);
+        run->root = request.site.root;
+        run->word = std::move(drawn->run);
+        auto embedded = std::make_shared<Embedded>();
+        embedded->elements = drawn->drawing.shapes.size();
+        run->to_host = canvas_onto(drawn->drawing.canvas, request.host, "contain");
+        Polygons clip;
+        clip.add(request.host);
+        Placement placement;
+        placement.clip = &clip;
+        placement.transform = run->to_host;
+        placement.pen_scale = std::sqrt(std::abs(determinant(run->to_host)));
+        place_drawing(embedded->drawing, drawn->drawing, placement);
+        embedded->memory_bytes = memory_of(embedded->drawing);
+        embedded->run = std::move(run);
+        return std::shared_ptr<const Embedded>(std::move(embedded));
+    }
+
+    // The whole picture, laid over the shape's box as in host(fit: ...).
+    static Transform canvas_onto(const Canvas& canvas, PolygonView host, std::string_view fit) {
+        const Page page{PageStatement::Kind::size, canvas.size.x, canvas.size.y, {}, false};
+        const Vec centre = canvas.origin + 0.5 * canvas.size;
+        return compose(page_onto(page, bounds(host), fit), translation(-1 * centre));
+    }
+
     // None where the value is no name of a document, as a preset may say it.
     std::optional<std::size_t> find(const EmbedRequest& request) const {
         for (std::size_t i = 0; i < opened_.embedded.size(); ++i) {
@@ -129,11 +177,16 @@ private:
         if (!settings) return std::move(settings).diagnostics();
         checked->settings = std::move(*settings);
         checked->shapes = std::make_shared<const ShapeSource>(document.opened->inputs, checked->settings->resolution);
-        Result<tangle::Grammar> grammar =
-            tangle::read_grammar(*checked->settings, document.opened->document,
-                                 start_tags(*document.opened, *checked->settings), embeddable(*document.opened));
-        if (!grammar) return std::move(grammar).diagnostics();
-        checked->grammar = std::move(*grammar);
+        if (checked->settings->engine == "rewriting") {
+            Diagnostics problems = read_words(*document.opened, *checked);
+            if (has_errors(problems)) return problems;
+        } else {
+            Result<tangle::Grammar> grammar =
+                tangle::read_grammar(*checked->settings, document.opened->document,
+                                     start_tags(*document.opened, *checked->settings), embeddable(*document.opened));
+            if (!grammar) return std::move(grammar).diagnostics();
+            checked->grammar = std::move(*grammar);
+        }
         if (may_be_shared && checked->settings->definitions.rows.empty()) {
             const std::lock_guard lock(shared_->mutex);
             shared_->read_once.emplace(document.opened.get(), checked);
@@ -155,10 +208,7 @@ private:
         Placement placement;
         Polygons clip;
         if (!run->start.in_host) {
-            const Canvas& canvas = picture.drawing.canvas;
-            const Page page{PageStatement::Kind::size, canvas.size.x, canvas.size.y, {}, false};
-            const Vec centre = canvas.origin + 0.5 * canvas.size;
-            run->to_host = compose(page_onto(page, bounds(request.host), "cover"), translation(-1 * centre));
+            run->to_host = canvas_onto(picture.drawing.canvas, request.host, "cover");
         }
         const bool is_clipped = !run->start.in_host || run->start.leaves_host;
         if (is_clipped) {
@@ -212,13 +262,19 @@ private:
 
 }  // namespace
 
+const EmbeddedTangle* tangle_in(const Embedded& embedded) {
+    return dynamic_cast<const EmbeddedTangle*>(embedded.run.get());
+}
+const EmbeddedWord* word_in(const Embedded& embedded) { return dynamic_cast<const EmbeddedWord*>(embedded.run.get()); }
+
 void for_each_embedded(const tangle::Tangle& tangle, const std::function<void(const EmbeddedTangle& inner)>& visit) {
     for (const tangle::Step& step : tangle.steps) {
         for (const auto& embedded : step.embedded) {
             if (!embedded) continue;
-            const auto& inner = static_cast<const EmbeddedTangle&>(*embedded->run);
-            visit(inner);
-            for_each_embedded(inner.tangle, visit);
+            const EmbeddedTangle* inner = tangle_in(*embedded);
+            if (inner == nullptr) continue;
+            visit(*inner);
+            for_each_embedded(inner->tangle, visit);
         }
     }
 }

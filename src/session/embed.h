@@ -8,19 +8,29 @@
 #include "engines/tangle/draw.h"
 #include "engines/tangle/tangle.h"
 #include "session/check.h"
+#include "session/run.h"
 
 namespace filigree {
 
-// A tangle inside a shape, with all that its parts may be asked about.
-struct EmbeddedTangle : EmbeddedRun {
+// A document inside a shape, with all that its parts may be asked about. Its drawing is Embedded::drawing.
+struct EmbeddedPart : EmbeddedRun {
     std::shared_ptr<const OpenedDocument> opened;
     std::shared_ptr<const CheckedDocument> checked;
+    Key root;           // folded into its keys
+    Transform to_host;  // from its coordinates to those of the host
+};
+struct EmbeddedTangle : EmbeddedPart {
     PlaneStart start;
     tangle::Tangle tangle;
-    tangle::Picture picture;  // its choices; the drawing itself is Embedded::drawing
-    Key root;                 // folded into its keys
-    Transform to_host;        // from its coordinates to those of the host
+    tangle::Picture picture;  // its choices
 };
+struct EmbeddedWord : EmbeddedPart {
+    WordRun word;
+};
+
+// Null where another kind of document was embedded.
+const EmbeddedTangle* tangle_in(const Embedded& embedded);
+const EmbeddedWord* word_in(const Embedded& embedded);
 
 // Calls `visit` for every tangle that grows in a shape of this one, and in those, in the order of the steps.
 void for_each_embedded(const tangle::Tangle& tangle, const std::function<void(const EmbeddedTangle& inner)>& visit);

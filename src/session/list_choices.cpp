@@ -133,11 +133,12 @@ private:
         const tangle::Step& step = tangle_.steps[number];
         for (std::size_t i = 0; i < step.embedded.size(); ++i) {
             if (!step.embedded[i]) continue;
-            const auto& inner = static_cast<const EmbeddedTangle&>(*step.embedded[i]->run);
-            ChoiceLister lister(inner.tangle, *inner.checked->grammar,
+            const EmbeddedTangle* inner = tangle_in(*step.embedded[i]);
+            if (inner == nullptr) continue;
+            ChoiceLister lister(inner->tangle, *inner->checked->grammar,
                                 prefix_ + tangle::path_of_embedded(tangle_, grammar_, number, i) + "/", visit_);
-            lister.root_ = inner.root;
-            lister.list(inner.picture, *inner.opened);
+            lister.root_ = inner->root;
+            lister.list(inner->picture, *inner->opened);
         }
     }
 

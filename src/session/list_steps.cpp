@@ -26,8 +26,9 @@ void for_each_embedded(const Layer& layer, std::uint32_t number, const Visit& vi
     const tangle::Step& step = layer.tangle.steps[number];
     for (std::size_t i = 0; i < step.embedded.size(); ++i) {
         if (!step.embedded[i]) continue;
-        const auto& inner = static_cast<const EmbeddedTangle&>(*step.embedded[i]->run);
-        visit(Layer{*inner.opened, *inner.checked->grammar, inner.tangle,
+        const EmbeddedTangle* inner = tangle_in(*step.embedded[i]);
+        if (inner == nullptr) continue;
+        visit(Layer{*inner->opened, *inner->checked->grammar, inner->tangle,
                     layer.prefix + tangle::path_of_embedded(layer.tangle, layer.grammar, number, i) + "/"});
     }
 }

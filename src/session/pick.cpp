@@ -6,6 +6,7 @@
 #include "engines/tangle/paths.h"
 #include "session/embed.h"
 #include "session/list_steps.h"
+#include "session/pick_symbol.h"
 
 namespace filigree {
 namespace {
@@ -82,6 +83,18 @@ void add_chain(const Layer& layer, std::uint32_t group, std::vector<PickedStep>&
     }
 }
 
+std::optional<Picked> pick_in(const Layer& layer, Vec at);
+
+// In what grows in a shape; `at` is in the host's coordinates.
+std::optional<Picked> pick_inside(const Embedded& embedded, const std::string& prefix, Vec at) {
+    if (const EmbeddedTangle* inner = tangle_in(embedded)) {
+        return pick_in({*inner->opened, *inner->checked, inner->tangle, prefix}, apply(inverse(inner->to_host), at));
+    }
+    const EmbeddedWord& inner = *word_in(embedded);
+    return pick_symbol(*inner.opened, *inner.checked, inner.word, {inner.root, prefix},
+                       apply(inverse(inner.to_host), at));
+}
+
 std::optional<Picked> pick_in(const Layer& layer, Vec at) {
     const Point point = snap(at);
     const Hit hit = leaf_at(layer.tangle, point);
@@ -92,13 +105,10 @@ std::optional<Picked> pick_in(const Layer& layer, Vec at) {
     if (group.producer != none) {
         const tangle::Step& step = layer.tangle.steps[group.producer];
         if (hit.shape < step.embedded.size() && step.embedded[hit.shape]) {
-            const auto& inner = static_cast<const EmbeddedTangle&>(*step.embedded[hit.shape]->run);
             const std::string prefix =
                 layer.prefix +
                 tangle::path_of_embedded(layer.tangle, *layer.checked.grammar, group.producer, hit.shape) + "/";
-            auto picked =
-                pick_in({*inner.opened, *inner.checked, inner.tangle, prefix}, apply(inverse(inner.to_host), at));
-            if (picked) {
+            if (auto picked = pick_inside(*step.embedded[hit.shape], prefix, at)) {
                 add_chain(layer, hit.group, picked->steps);
                 return picked;
             }
@@ -149,6 +159,7 @@ std::optional<Picked> pick_in_copies(const Layer& motif, const Symmetry& symmetr
 }  // namespace
 
 std::optional<Picked> pick(const OpenedDocument& opened, const CheckedDocument& checked, const Run& run, Vec at) {
+    if (run.word) return pick_symbol(opened, checked, *run.word, {}, at);
     const Layer whole{opened, checked, run.tangle, ""};
     if (checked.start->symmetry) return pick_in_copies(whole, *checked.start->symmetry, at);
     return pick_in(whole, at);

@@ -1,5 +1,6 @@
 #include "session/run.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "derivation/symmetric_drawing.h"
@@ -64,23 +65,26 @@ Result<tangle::Tangle> derive_document(const OpenedDocument& opened, const Check
     return tangle::derive(*checked.grammar, *checked.start, *checked.settings, opened.document, derive, executor, job);
 }
 
-rewriting::DeriveOptions word_options(const OpenedDocument& opened, const CheckedDocument& checked) {
-    rewriting::DeriveOptions options;
-    options.seed = checked.settings->seed;
-    options.limits = checked.settings->limits;
-    options.document = &opened.document;
-    options.globals = &checked.settings->globals;
-    options.with_ages = rewriting::asks_for_ages(*checked.draw_rules, *checked.settings);
-    return options;
+rewriting::DeriveOptions word_options(const OpenedDocument& opened, const CheckedDocument& checked,
+                                      const WordOptions& options) {
+    rewriting::DeriveOptions derive;
+    derive.seed = checked.settings->seed;
+    derive.root = options.root;
+    derive.limits = checked.settings->limits;
+    derive.limits.elements = std::min(derive.limits.elements, options.most_elements);
+    derive.document = &opened.document;
+    derive.globals = &checked.settings->globals;
+    derive.with_ages = rewriting::asks_for_ages(*checked.draw_rules, *checked.settings);
+    return derive;
 }
 
 Result<rewriting::Derivation> derive_word(const OpenedDocument& opened, const CheckedDocument& checked,
-                                          std::optional<std::uint64_t> steps, Executor& executor, const Job& job) {
+                                          const WordOptions& wanted, Executor& executor, const Job& job) {
     const rewriting::Grammar& grammar = *checked.words;
-    const rewriting::DeriveOptions options = word_options(opened, checked);
+    const rewriting::DeriveOptions options = word_options(opened, checked, wanted);
     Result<rewriting::Derivation> derivation = rewriting::begin(grammar, options);
     if (!derivation) return derivation.diagnostics();
-    const std::uint64_t count = steps.value_or(grammar.systems[0].iterations);
+    const std::uint64_t count = wanted.steps.value_or(grammar.systems[0].iterations);
     if (const auto plain = rewriting::plain_substitution(*derivation, grammar)) {
         std::optional<Diagnostic> problem =
             rewriting::step_plainly(*derivation, *plain, count, options.limits, executor);
@@ -97,26 +101,34 @@ Result<rewriting::Derivation> derive_word(const OpenedDocument& opened, const Ch
     return derivation;
 }
 
+Result<DrawnWord> draw_word(const OpenedDocument& opened, const CheckedDocument& checked, const WordOptions& options,
+                            Executor& executor, const Job& job) {
+    Result<rewriting::Derivation> derivation = derive_word(opened, checked, options, executor, job);
+    if (!derivation) return derivation.diagnostics();
+    const double derived = now_seconds();
+    const rewriting::DrawOptions draw{options.root, checked.shapes.get(), {job.cancel_flag, {}}};
+    Result<rewriting::Picture> picture =
+        rewriting::draw(*derivation, *checked.draw_rules, *checked.settings, opened.document, draw);
+    if (!picture) return picture.diagnostics();
+    DrawnWord drawn{{std::move(*derivation)}, std::move(picture->drawing), derived};
+    return {std::move(drawn), picture.diagnostics()};
+}
+
 namespace {
 
 Result<Run> run_word(const OpenedDocument& opened, const CheckedDocument& checked, const RunOptions& options,
                      Executor& executor, const Job& job) {
     const double begin = now_seconds();
-    Result<rewriting::Derivation> derivation = derive_word(opened, checked, options.steps, executor, job);
-    if (!derivation) return derivation.diagnostics();
-    const double derived = now_seconds();
-    rewriting::DrawOptions draw;
-    draw.shapes = checked.shapes.get();
-    draw.job = {job.cancel_flag, {}};
-    Result<rewriting::Picture> picture =
-        rewriting::draw(*derivation, *checked.draw_rules, *checked.settings, opened.document, draw);
-    if (!picture) return picture.diagnostics();
+    WordOptions wanted;
+    wanted.steps = options.steps;
+    Result<DrawnWord> drawn = draw_word(opened, checked, wanted, executor, job);
+    if (!drawn) return drawn.diagnostics();
     Run run;
-    run.diagnostics = picture.diagnostics();
-    run.drawing = std::move(picture->drawing);
-    run.word = WordRun{std::move(*derivation), std::move(picture->symbols)};
-    run.times.derive = derived - begin;
-    run.times.draw = now_seconds() - derived;
+    run.diagnostics = drawn.diagnostics();
+    run.times.derive = drawn->derived - begin;
+    run.times.draw = now_seconds() - drawn->derived;
+    run.drawing = std::move(drawn->drawing);
+    run.word = std::move(drawn->run);
     return run;
 }
 

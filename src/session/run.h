@@ -39,7 +39,6 @@ struct UnmatchedPreset {
 // What a rewriting document came to.
 struct WordRun {
     rewriting::Derivation derivation;
-    std::vector<std::uint64_t> drawn_symbols;  // rewriting::Picture::symbols
 };
 
 struct Run {
@@ -58,12 +57,28 @@ struct Run {
 Result<tangle::Tangle> derive_document(const OpenedDocument& opened, const CheckedDocument& checked,
                                        const RunOptions& options, Executor& executor, const Job& job);
 
-// What rewriting is told of the document.
-rewriting::DeriveOptions word_options(const OpenedDocument& opened, const CheckedDocument& checked);
+struct WordOptions {
+    std::optional<std::uint64_t> steps;  // iterations; none: as many as the document says
+    Key root;                            // folded into all keys
+    std::uint64_t most_elements = UINT64_MAX;
+};
 
-// The word of a rewriting document after `steps` iterations; without a number, after as many as it says.
+// What rewriting is told of the document.
+rewriting::DeriveOptions word_options(const OpenedDocument& opened, const CheckedDocument& checked,
+                                      const WordOptions& options = {});
+
+// The word of a rewriting document.
 Result<rewriting::Derivation> derive_word(const OpenedDocument& opened, const CheckedDocument& checked,
-                                          std::optional<std::uint64_t> steps, Executor& executor, const Job& job);
+                                          const WordOptions& options, Executor& executor, const Job& job);
+
+// The same with its drawing.
+struct DrawnWord {
+    WordRun run;
+    Drawing drawing;
+    double derived = 0;  // when that was done: now_seconds
+};
+Result<DrawnWord> draw_word(const OpenedDocument& opened, const CheckedDocument& checked, const WordOptions& options,
+                            Executor& executor, const Job& job);
 
 // With a drawing of what was derived.
 Result<Run> run_document(const OpenedDocument& opened, const CheckedDocument& checked, const RunOptions& options,

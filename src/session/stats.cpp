@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <numeric>
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
@@ -42,7 +43,39 @@ std::uint64_t peak_memory_bytes() {
     return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
+namespace {
+
+Json seconds_of(const RunTimes& times) {
+    return {{"parse", times.parse},
+            {"derive", times.derive},
+            {"draw", times.draw},
+            {"write", times.write},
+            {"total", times.total}};
+}
+
+std::string word_stats_json(const OpenedDocument& opened, const CheckedDocument& checked, const Run& run) {
+    const rewriting::Derivation& derivation = run.word->derivation;
+    Json json;
+    json["document"] = opened.name;
+    json["engine"] = checked.settings->engine;
+    json["seed"] = checked.settings->seed;
+    json["steps"] = derivation.iteration;
+    json["elements"] = run.drawing.shapes.size();
+    json["rules"] = std::accumulate(
+        checked.words->systems.begin(), checked.words->systems.end(), std::size_t{0},
+        [](std::size_t sum, const rewriting::System& system) { return sum + system.rules.size(); });
+    json["seconds"] = seconds_of(run.times);
+    json["peak_memory_bytes"] = peak_memory_bytes();
+    std::uint64_t vertices = 0;
+    for (const auto& geometry : run.drawing.geometry) vertices += geometry->points.size();
+    json["word"] = {{"length", derivation.word.size()}, {"vertices", vertices}};
+    return dumped(json);
+}
+
+}  // namespace
+
 std::string stats_json(const OpenedDocument& opened, const CheckedDocument& checked, const Run& run) {
+    if (run.word) return word_stats_json(opened, checked, run);
     std::uint64_t elements = 0, marks = 0, groups = 0;
     std::uint32_t depth = 0;
     for (const tangle::Group& group : run.tangle.groups) {
@@ -71,11 +104,7 @@ std::string stats_json(const OpenedDocument& opened, const CheckedDocument& chec
     json["groups"] = groups;
     json["depth"] = depth;
     json["rules"] = checked.rules.size();
-    json["seconds"] = {{"parse", run.times.parse},
-                       {"derive", run.times.derive},
-                       {"draw", run.times.draw},
-                       {"write", run.times.write},
-                       {"total", run.times.total}};
+    json["seconds"] = seconds_of(run.times);
     json["peak_memory_bytes"] = peak_memory_bytes();
     json["area"] = {{"start", areas.start}, {"leaves", areas.leaves}};
     if (run.verified) {

@@ -59,7 +59,7 @@ int run_derive(const DeriveCommand& command) {
         return print_diagnostics(answered.diagnostics(), sources);
     }
     if (checked.words) {
-        const Result<rewriting::Derivation> word = derive_word(*opened, checked, command.steps, *executor, job);
+        const Result<rewriting::Derivation> word = derive_word(*opened, checked, {command.steps, {}}, *executor, job);
         const int status = print_diagnostics(word.diagnostics(), sources);
         if (word) std::cout << (command.json ? word_json(*opened, checked, *word) : word_text(*word));
         return status;

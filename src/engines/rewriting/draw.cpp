@@ -31,14 +31,6 @@ bool mentions(const ExpressionPtr& expression, std::string_view name) {
 Value bare(double value) { return Value{Quantity{value}, {}}; }
 Value length_value(double px) { return Value{Quantity{px, 1, false}, {}}; }
 
-// From the turtle's wall, where y goes up, to the page.
-struct PagePlace {
-    double scale = 1;
-    Vec offset;
-
-    Vec operator()(Vec3 p) const { return {scale * p.x + offset.x, offset.y - scale * p.y}; }
-};
-
 struct Extent {
     Vec low{1e300, 1e300}, high{-1e300, -1e300};
 
@@ -295,7 +287,7 @@ private:
         }
         Drawing& drawing = picture_.drawing;
         drawing.canvas = page_canvas(settings_, document_, box, "the lines", warnings);
-        geometry_.polygon_ends.shrink_to_fit();
+        picture_.place = place;
         drawing.geometry = {std::make_shared<const Polygons>(std::move(geometry_))};
         drawing.groups = {{"word", 0, static_cast<std::uint32_t>(drawing.shapes.size()), 0, 0, {}}};
         return {std::move(picture_), std::move(warnings)};

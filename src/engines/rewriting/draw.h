@@ -23,9 +23,19 @@ struct DrawOptions {
     Job job = {};                         // its progress is not reported
 };
 
+// From the turtle's wall, where y goes up, to the page.
+struct PagePlace {
+    double scale = 1;
+    Vec offset;
+
+    Vec operator()(Vec3 p) const { return {scale * p.x + offset.x, offset.y - scale * p.y}; }
+};
+
 struct Picture {
     Drawing drawing;
-    std::vector<std::uint64_t> symbols;  // of each shape of the drawing: which symbol of the word it begins with
+    // Of each shape of the drawing: which symbol of the word it begins with. Empty where all are lines and no one knows.
+    std::vector<std::uint64_t> symbols;
+    PagePlace place;
 };
 
 // `word` must have ages where a style or the formula asks for them (asks_for_ages).

@@ -1,0 +1,87 @@
+#include "session/pick_symbol.h"
+
+#include <algorithm>
+#include <string>
+
+#include "plane/edge_tree.h"
+
+namespace filigree {
+namespace {
+
+using rewriting::TurtleDrawing;
+using rewriting::TurtleSegment;
+
+constexpr double line_reach = 1;  // px beside a line that still mean it
+
+double line_distance(RingView line, Vec at) {
+    double nearest = 1e300;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        nearest = std::min(nearest, squared_distance({to_px(line[i - 1]), to_px(line[i])}, at));
+    }
+    return std::sqrt(nearest);
+}
+
+bool is_hit(const Drawing& drawing, const DrawnShape& shape, Vec at) {
+    const Style& style = drawing.styles[shape.style];
+    const PolygonView polygon = polygon_of(drawing, shape);
+    if (!style.is_open) return locate(polygon, snap(at)) >= 0;
+    return line_distance(polygon.outer(), at) <= style.pen / 2 + line_reach;
+}
+
+// The shape that is painted last there.
+std::optional<std::size_t> shape_at(const Drawing& drawing, Vec at) {
+    for (std::size_t s = drawing.shapes.size(); s-- > 0;) {
+        if (is_hit(drawing, drawing.shapes[s], at)) return s;
+    }
+    return std::nullopt;
+}
+
+// The symbol whose stretch of a line is nearest.
+std::uint64_t nearest_symbol(const TurtleDrawing& turtled, const rewriting::PagePlace& place, Vec at) {
+    double nearest = 1e300;
+    std::uint64_t symbol = 0;
+    for (const TurtleSegment& segment : turtled.segments) {
+        const double distance = squared_distance({place(segment.from), place(segment.to)}, at);
+        if (distance > nearest) continue;  // of two that lie on each other the later is seen
+        nearest = distance;
+        symbol = segment.symbol;
+    }
+    return symbol;
+}
+
+}  // namespace
+
+std::optional<Picked> pick_symbol(const OpenedDocument& opened, const CheckedDocument& checked, const WordRun& word,
+                                  const WordPlace& place, Vec at) {
+    const rewriting::DrawRules& rules = *checked.draw_rules;
+    const Settings& settings = *checked.settings;
+    const rewriting::Derivation& derivation = word.derivation;
+    const Result<rewriting::Picture> picture =
+        rewriting::draw(derivation, rules, settings, opened.document, {place.root, checked.shapes.get(), {}});
+    if (!picture) return std::nullopt;
+    const std::optional<std::size_t> shape = shape_at(picture->drawing, at);
+    if (!shape) return std::nullopt;
+    const DrawnShape& drawn = picture->drawing.shapes[*shape];
+    const bool is_line = picture->drawing.styles[drawn.style].is_open;
+    std::uint64_t symbol = picture->symbols.empty() ? 0 : picture->symbols[*shape];
+    if (is_line) {
+        Diagnostics problems;
+        const Result<TurtleDrawing> turtled = rewriting::turtle_drawing(
+            derivation.word, derivation.alphabet,
+            rewriting::turtle_settings(rules, derivation.iteration, settings, opened.document, problems));
+        if (turtled) symbol = nearest_symbol(*turtled, picture->place, at);
+    }
+    std::uint64_t index = 0;
+    for (std::uint64_t i = 0; i < symbol; ++i) {
+        index += derivation.word.symbols[i] == rewriting::Alphabet::freeze ? 0U : 1U;
+    }
+    const rewriting::SymbolEntry& entry = derivation.alphabet[derivation.word.symbols[symbol]];
+    Picked picked;
+    picked.path = place.prefix + "word/" + std::to_string(index + 1);
+    picked.tag = rewriting::to_utf8(std::u32string(1, entry.letter));
+    picked.key = drawn.key;
+    if (!is_line) picked.area = area(polygon_of(picture->drawing, drawn));
+    return picked;
+}
+
+}  // namespace filigree
