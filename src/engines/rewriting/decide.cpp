@@ -7,6 +7,7 @@
 
 #include "engines/rewriting/contexts.h"
 #include "engines/rewriting/pattern.h"
+#include "engines/rewriting/symbol_facts.h"
 
 namespace filigree::rewriting {
 namespace {
@@ -18,10 +19,11 @@ Value number(double value) { return Value{Quantity{value}, {}}; }
 class Planner {
 public:
     Planner(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options, const Job& job)
-        : derivation_(derivation), grammar_(grammar), options_(options), job_(job) {
+        : derivation_(derivation), grammar_(grammar), options_(options), job_(job), asked_(facts_asked(grammar)) {
         names_.outer = options.globals;
         for (const Register& known : derivation.registers) names_.names[known.name] = number(known.value);
         registers_ = derivation.registers;
+        facts_of_row_.outer = facts_of_symbol_.outer = &names_;
     }
 
     Result<StepPlan> run() {
@@ -83,10 +85,11 @@ private:
     }
     bool advance_row(std::uint32_t scope, char32_t letter, const std::vector<const Rule*>& rules) {
         const auto [at, is_new] = derivation_.rows.try_emplace({scope, letter});
-        return advance(at->second, is_new, scope, rules);
+        return advance(at->second, is_new, scope, clock_of(scope), rules);
     }
-    // To the row that serves the next iteration; `row.row` is behind the last where none does.
-    bool advance(Derivation::Row& row, bool is_new, std::uint32_t scope, const std::vector<const Rule*>& rules) {
+    // To the row that serves an iteration, the next of its system; `row.row` is behind the last where none does.
+    bool advance(Derivation::Row& row, bool is_new, std::uint32_t scope, std::uint32_t iteration,
+                 const std::vector<const Rule*>& rules) {
         const auto count = static_cast<std::uint32_t>(rules.size());
         if (row.row == count) return true;
         if (!is_new) {
@@ -106,7 +109,7 @@ private:
             }
             row.left = 1;
             if (const ExpressionPtr& loop = rules[row.row]->loop) {
-                const Result<double> times = value_of(loop, names_);
+                const Result<double> times = value_of(loop, facts_of_row(iteration, rules[row.row]->letter));
                 if (!times) return fail(times.diagnostics().front());
                 row.left = *times >= 0.5 ? static_cast<std::uint64_t>(std::min(*times + 0.5, 1e18)) : 0;
             }
@@ -225,7 +228,7 @@ private:
         if (are_rows(rules)) {
             Derivation::Row row;
             for (std::uint32_t t = 1; t <= jump.target_iteration; ++t) {
-                if (!advance(row, t == 1, scope, rules)) return std::nullopt;
+                if (!advance(row, t == 1, scope, t, rules)) return std::nullopt;
             }
             if (row.row < rules.size()) target = rules[row.row];
             if (target != nullptr && !serves(*target, jump.target_iteration)) target = nullptr;
@@ -355,7 +358,7 @@ private:
         for (const Rule* rule : candidates_[symbol]) {
             if (!rule->left.empty() && !contexts().has_left(place, rule->left, system.ignored)) continue;
             if (!rule->right.empty() && !contexts().has_right(place, rule->right, system.ignored)) continue;
-            Scope names = facts_at(index, clock_of(entry.scope));
+            const Scope& names = facts_at(index, symbol);
             if (rule->condition) {
                 const std::optional<bool> holds = does_hold(rule->condition, names);
                 if (!holds) return std::nullopt;
@@ -406,29 +409,33 @@ private:
         return std::nullopt;
     }
 
-    // What is known of a symbol: t is the iteration of its system, `index` its place among the symbols of the word.
-    Scope facts_at(std::size_t index, std::uint32_t clock) {
-        Scope facts;
-        facts.outer = &names_;
-        facts.names["t"] = number(clock);
-        facts.names["index"] = number(static_cast<double>(index));
-        const Word& word = derivation_.word;
-        if (!word.ages.empty()) facts.names["age"] = number(word.ages[index]);
-        facts.names["depth"] = number(depth_of(index));
-        return facts;
-    }
-    double depth_of(std::size_t index) {
-        if (depths_.empty()) {
-            std::uint32_t depth = 0;
-            for (const Symbol symbol : derivation_.word.symbols) {
-                if (symbol == Alphabet::freeze) continue;
-                const char32_t letter = derivation_.alphabet[symbol].letter;
-                if (letter == U']' && depth > 0) --depth;
-                depths_.push_back(depth);
-                if (letter == U'[') ++depth;
-            }
+    // What is known of a symbol of the word.
+    const Scope& facts_at(std::size_t index, Symbol symbol) {
+        set(facts_of_symbol_, Fact::t, [&] { return clock_of(derivation_.alphabet[symbol].scope); });
+        set(facts_of_symbol_, Fact::count, [&] { return facts().count(symbol); });
+        for (std::size_t f = row_fact_count; f < fact_names.size(); ++f) {
+            const auto fact = static_cast<Fact>(f);
+            set(facts_of_symbol_, fact, [&] { return facts().value(fact, index); });
         }
-        return depths_[index];
+        return facts_of_symbol_;
+    }
+    // What is known of all symbols of a letter in an iteration of its system.
+    const Scope& facts_of_row(std::uint32_t iteration, char32_t letter) {
+        set(facts_of_row_, Fact::t, [&] { return iteration; });
+        set(facts_of_row_, Fact::count, [&] { return facts().count(letter); });
+        return facts_of_row_;
+    }
+    template <class Value>
+    void set(Scope& scope, Fact fact, Value value) {
+        if (!has(asked_, fact)) return;
+        const std::string_view name = fact_names[static_cast<std::size_t>(fact)];
+        auto known = scope.names.find(name);
+        if (known == scope.names.end()) known = scope.names.emplace(std::string(name), number(0)).first;
+        known->second = number(static_cast<double>(value()));
+    }
+    const SymbolFacts& facts() {
+        if (!facts_) facts_ = std::make_unique<SymbolFacts>(derivation_.word, derivation_.alphabet, asked_);
+        return *facts_;
     }
     const Contexts& contexts() {
         if (!contexts_) contexts_ = std::make_unique<Contexts>(derivation_.word, derivation_.alphabet);
@@ -508,7 +515,9 @@ private:
     std::map<std::pair<std::uint32_t, const Successor*>, std::uint32_t> images_of_;
     std::optional<std::uint32_t> kept_;
     std::map<std::pair<std::uint32_t, char32_t>, std::uint64_t> drawn_;  // so far in this iteration
-    std::vector<std::uint32_t> depths_;
+    const FactSet asked_;
+    std::unique_ptr<SymbolFacts> facts_;
+    Scope facts_of_symbol_, facts_of_row_;
     std::unique_ptr<Contexts> contexts_;
     std::optional<Diagnostic> problem_;
 };

@@ -6,6 +6,7 @@
 
 #include "engines/rewriting/decide.h"
 #include "engines/rewriting/pattern.h"
+#include "engines/rewriting/symbol_facts.h"
 
 namespace filigree::rewriting {
 namespace {
@@ -391,13 +392,14 @@ Result<Derivation> begin(const Grammar& grammar, const DeriveOptions& options, s
     word.symbols = std::move(*symbols);
     const bool with_origins = has_followers(grammar);
     const bool with_keys = draws(grammar) && grammar.draws == DrawMode::lineage;
+    const bool with_ages = options.with_ages || has(facts_asked(grammar), Fact::age);
     std::uint64_t index = 0;
     for (const Symbol symbol : word.symbols) {
         if (symbol == Alphabet::freeze) continue;
         const bool is_follower = derivation.alphabet[symbol].role == Role::follower;
         if (with_origins) word.origins.push_back(is_follower ? 1 : 0);
         if (with_keys) word.keys.push_back(fold(options.root.value, index));
-        if (options.with_ages) word.ages.push_back(1);
+        if (with_ages) word.ages.push_back(1);
         ++index;
     }
     return derivation;

@@ -88,6 +88,42 @@ TEST(Derive, ConditionsAndRegisters) {
     EXPECT_EQ(words("axiom \"a\"\na -> M[1]", 1), "rewriting.unknown-array");
 }
 
+TEST(Derive, RulesAskForAttributes) {
+    EXPECT_EQ(words("axiom \"ab\"\na -> \"c\" when age > 2", 3), "ab ab ab cb");
+    EXPECT_EQ(words("ages lineage\naxiom \"a\"\na -> \"xa\" when age < 3\na -> \"y\"", 4), "a xa xxa xxy xxy");
+    // Objects on the way from the root: axis letters, signs and branches beside the way do not count.
+    EXPECT_EQ(words("axiom \"bP+[bb[b]a]a[ba]ba\"\na -> \"{(distance) x}y\"", 1),
+              "bP+[bb[b]a]a[ba]ba bP+[bb[b]xxxy]xy[bxxxy]bxxxy");
+    // Of the branch around the symbol, with the branches in it; brackets belong to what is around them.
+    EXPECT_EQ(words("axiom \"a[abc[aP]a]\"\na -> \"{(density) x}\"\n\"]\" -> \"{(density) y}\"", 1),
+              "a[abc[aP]a] xxxxxx[xxxxxbc[xPyyyyyxxxxxyyyyyy");
+    EXPECT_EQ(
+        words("axiom \"aabb[aaaa]\"\na -> \"x\" when homogeneity == 1\nb -> \"y\" when homogeneity == 40 / 64", 1),
+        "aabb[aaaa] aayy[xxxx]");
+    EXPECT_EQ(words("axiom \"ab[a\"\na -> \"{(count) x}\"", 1), "ab[a xxb[xx");
+    EXPECT_EQ(words("axiom \"a\"\na -> \"aa\" * count, \"b\" * (2 - count)\na -> \"c\"", 1).size(), 4U);
+    EXPECT_EQ(words("register k\naxiom \"a[a]\"\na -> \"{$k b}a\" { k = k + depth + count }", 2),
+              "a[a] a[a] bbba[bbba]");
+    // What is the same for all symbols of a letter can be asked where its rows are chosen.
+    EXPECT_EQ(words("axiom \"aa\"\na -> \"ab\" loop count\na -> \"c\" loop 1", 3), "aa abab abbabb cbbcbb");
+    EXPECT_EQ(words("axiom \"a\"\na -> \"ab\" loop 1\na -> \"ac\" loop t\na -> \"d\" loop 1", 4), "a ab acb accb dccb");
+}
+
+TEST(Derive, ExpressionsAreCheckedBeforehand) {
+    const std::string head = "axiom \"a\"\nregister k 0\n";
+    EXPECT_EQ(words(head + "a -> \"b\" when agee > 2", 0), "language.unknown-name");
+    EXPECT_EQ(words(head + "a -> \"b\" when \"c\"", 0), "language.wrong-kind");
+    EXPECT_EQ(words(head + "a -> \"b\" * agee, \"c\"", 0), "language.unknown-name");
+    EXPECT_EQ(words(head + "a -> \"{(agee) b}\"", 0), "language.unknown-name");
+    EXPECT_EQ(words(head + "a -> \"b\" loop age", 0), "language.unknown-name") << "a row serves all of its letter";
+    EXPECT_EQ(words(head + "a -> \"b\" { k = true }", 0), "language.wrong-kind");
+    EXPECT_EQ(words(head + "array M [2]\na -> M[x]", 0), "language.unknown-name");
+    EXPECT_EQ(words(head + "array M [2]\nM[0] -> \"{$x a}\"", 0), "language.unknown-name");
+    EXPECT_EQ(words("axiom \"{(age) a}\"", 0), "language.unknown-name");
+    EXPECT_EQ(words("axiom \"a\"\nregister age 1", 0), "rewriting.reserved-name");
+    EXPECT_EQ(words(head + "a -> \"b\" when 1 / k > 2", 0), "a") << "which is wrong only with some values";
+}
+
 TEST(Derive, RowsServeTheirIterations) {
     const std::string rows = "axiom \"a\"\na -> \"ab\" loop 2\na -> \"ac\" loop 1\n";
     EXPECT_EQ(words(rows, 5), "a ab abb acbb acbb acbb");

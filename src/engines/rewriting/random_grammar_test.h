@@ -209,7 +209,7 @@ private:
     // Where a jump leads to an iteration, it must be known which row serves that.
     std::string row_length() {
         if (has(Feature::jumps)) return one_of({"1", "2", "1", "3", "0"});
-        return one_of({"1", "2", "1", "3", "ix", "iy", "ix + iy", "1 - ix"});
+        return one_of({"1", "2", "1", "3", "ix", "iy", "ix + iy", "1 - ix", "t", "count", "mod(count + t, 3)"});
     }
     Rule random_rule(std::size_t which, char32_t letter) {
         Rule rule;
@@ -235,14 +235,17 @@ private:
     std::string condition() {
         return one_of({"t < 3", "t > 1", "mod(index, 2) == 0", "index < 3", "depth > 0", "depth == 0", "age > 2",
                        "mod(t + index, 2) == 1 && depth < 2", uses_registers() ? "ix == 1" : "true",
-                       uses_registers() ? "ix <= iy" : "t == 2"});
+                       uses_registers() ? "ix <= iy" : "t == 2", "distance > 2", "mod(distance, 2) == 0", "density < 3",
+                       "density > distance + 1", "homogeneity < 0.5", "homogeneity == 1", "count > 2",
+                       "index + 1 < count", "age * density > 4"});
     }
     std::string assigned() {
-        return one_of({"mod(ix + 1, 3)", "2 - iy", "mod(index, 3)", "mod(t + depth, 3)", "iy", "0", "1"});
+        return one_of({"mod(ix + 1, 3)", "2 - iy", "mod(index, 3)", "mod(t + depth, 3)", "iy", "0", "1",
+                       "mod(count, 3)", "mod(density + distance, 3)", "mod(age, 3)"});
     }
     std::string weight() {
-        return one_of(
-            {"2", "0.5", "0", "1 - t", "t", "depth + 1", "mod(index, 2) + 0.1", uses_registers() ? "ix + 0.25" : "3"});
+        return one_of({"2", "0.5", "0", "1 - t", "t", "depth + 1", "mod(index, 2) + 0.1",
+                       uses_registers() ? "ix + 0.25" : "3", "age", "homogeneity", "distance", "density / count"});
     }
     Successor successor(std::size_t which, char32_t letter) {
         Successor made;

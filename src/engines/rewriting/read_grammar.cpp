@@ -5,6 +5,8 @@
 #include <set>
 
 #include "engines/rewriting/pattern.h"
+#include "engines/rewriting/symbol_facts.h"
+#include "language/check.h"
 #include "language/word_settings.h"
 
 namespace filigree::rewriting {
@@ -23,7 +25,9 @@ public:
 
     Result<Grammar> run() {
         find_registers_and_arrays(document_.statements);
+        add_examples();
         read_system(document_.statements, 0, {});
+        check_cells();
         const bool failed = has_errors(diagnostics_);
         if (failed) return std::move(diagnostics_);
         return Result<Grammar>(std::move(grammar_), std::move(diagnostics_));
@@ -88,6 +92,61 @@ private:
         return {};
     }
 
+    // --- what rules will ask ---
+
+    // Values as rules may meet them, for checking their expressions before anything is derived.
+    void add_examples() {
+        registers_.outer = &settings_.globals;
+        for (const Register& known : grammar_.registers)
+            registers_.names[known.name] = Value{Quantity{known.value}, {}};
+        constexpr std::span names(fact_names);
+        facts_of_row_ = example_scope(names.first(row_fact_count), &registers_);
+        facts_of_symbol_ = example_scope(names, &registers_);
+    }
+    Evaluation with(const Scope& scope) const {
+        Evaluation at;
+        at.document = &document_;
+        at.scope = &scope;
+        return at;
+    }
+    // What is no number, whatever the values.
+    Diagnostics problems_of_number(const ExpressionPtr& expression, const Scope& scope) const {
+        Diagnostics problems = check_expression(*expression, with(scope));
+        if (!problems.empty()) return problems;
+        const Result<Value> value = evaluate(*expression, with(scope));
+        if (value) return as_number(Value{value->data, expression->span}).diagnostics();
+        return {};  // with these values alone
+    }
+    void check_number(const ExpressionPtr& expression, const Scope& scope) {
+        if (expression) append(diagnostics_, problems_of_number(expression, scope));
+    }
+    // The numbers of repeats have no place of their own in the document.
+    void check_counts(const std::vector<Pattern::Part>& parts, const Scope& scope, SourceSpan text) {
+        for (const Pattern::Part& part : parts) {
+            if (!part.count) continue;
+            for (Diagnostic problem : problems_of_number(part.count, scope)) {
+                problem.span = text;
+                report(std::move(problem));
+            }
+            check_counts(part.repeated, scope, text);
+        }
+    }
+    void check_condition_of(const ExpressionPtr& condition) {
+        const std::vector<std::string_view> varying(fact_names.begin(), fact_names.end());
+        Diagnostics problems = check_condition(*condition, with(facts_of_symbol_), settings_.globals, varying);
+        append(diagnostics_, std::move(problems));
+    }
+    void check_expressions(const Rule& rule) {
+        check_number(rule.loop, facts_of_row_);
+        if (rule.condition) check_condition_of(rule.condition);
+        for (const Assignment& assignment : rule.assignments) check_number(assignment.value, facts_of_symbol_);
+        for (const Successor& successor : rule.successors) {
+            check_number(successor.weight, facts_of_symbol_);
+            for (const ExpressionPtr& index : successor.indexes) check_number(index, facts_of_symbol_);
+            check_counts(successor.pattern.parts, facts_of_symbol_, successor.span);
+        }
+    }
+
     // --- what holds for the whole document ---
 
     void find_registers_and_arrays(const std::vector<Statement>& statements) {
@@ -118,6 +177,11 @@ private:
         }
         if (find_named(grammar_.registers, *name) != nullptr) {
             return report(doubled("the register " + quoted(*name), setting.name.span));
+        }
+        if (std::find(fact_names.begin(), fact_names.end(), *name) != fact_names.end()) {
+            return report(error("rewriting.reserved-name",
+                                quoted(*name) + " is what rules know of a symbol, so no register can have this name",
+                                setting.values[0]->span));
         }
         grammar_.registers.push_back(std::move(added));
     }
@@ -154,6 +218,10 @@ private:
             at = at * array->sizes[i] + static_cast<std::size_t>(*index);
         }
         array->cells[at] = pattern_of(cell.text, false);
+        cell_texts_.emplace_back(array->cells[at], cell.text.span);
+    }
+    void check_cells() {
+        for (const auto& [pattern, span] : cell_texts_) check_counts(pattern.parts, facts_of_symbol_, span);
     }
     Diagnostic unknown_array(const Name& name) {
         std::vector<std::string_view> names;
@@ -284,6 +352,7 @@ private:
             const std::string* text = text_of(value);
             if (text == nullptr) return fail_usage(setting);
             system.axiom = pattern_of({*text, value->span}, frees_braces);
+            check_counts(system.axiom.parts, registers_, value->span);
         } else if (name == "iterations") {
             if (const auto count = whole_of(value, 0, most_iterations)) {
                 system.iterations = static_cast<std::uint32_t>(*count);
@@ -353,6 +422,7 @@ private:
         std::uint64_t like_it = 0;
         for (const Rule& known : system.rules) like_it += known.letter == rule.letter ? 1 : 0;
         rule.key = child(Key{rule.letter}, like_it);
+        check_expressions(rule);
         system.rules.push_back(std::move(rule));
     }
     void check_brackets(const Name& context) {
@@ -396,6 +466,8 @@ private:
     const Settings& settings_;
     const Document& document_;
     Grammar grammar_;
+    std::vector<std::pair<Pattern, SourceSpan>> cell_texts_;
+    Scope registers_, facts_of_row_, facts_of_symbol_;  // example values
     Diagnostics diagnostics_;
 };
 

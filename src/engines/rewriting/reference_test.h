@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "base/unicode.h"
 #include "engines/rewriting/grammar.h"
 #include "language/evaluate.h"
 
@@ -112,11 +114,8 @@ public:
     explicit Asking(const std::vector<Register>& registers) {
         for (const Register& known : registers) set(known.name, known.value);
     }
-    Asking& at(std::uint32_t iteration, std::size_t index, std::size_t depth, std::uint32_t age) {
-        set("t", iteration);
-        set("age", age);
-        set("index", static_cast<double>(index));
-        set("depth", static_cast<double>(depth));
+    Asking& knows(const std::string& name, double value) {
+        set(name, value);
         return *this;
     }
 
@@ -223,13 +222,52 @@ private:
         const bool is_grown = !(instance == Instance{state_.system, 0});
         return is_grown && clock(instance) > system_of(instance).iterations;
     }
+    // Those that draw something: all but axis letters and signs.
+    static bool is_object(const Unit& unit) {
+        return !contains(U"PTDXYZ", unit.letter) && unicode::is_letter(unit.letter);
+    }
+    std::size_t count_of(char32_t letter) const {
+        std::size_t count = 0;
+        for (const Unit& unit : old_) count += unit.letter == letter ? 1 : 0;
+        return count;
+    }
+    // Of all units of a letter.
+    Asking asking(std::uint32_t iteration, char32_t letter) const {
+        return Asking(state_.registers).knows("t", iteration).knows("count", static_cast<double>(count_of(letter)));
+    }
     Asking asking(std::size_t p) const {
-        std::size_t depth = 0;
+        // The open brackets before it, the innermost behind; closed branches count for nothing on the way to it.
+        std::vector<std::size_t> open;
+        std::vector<bool> is_on_the_way(p, true);
         for (std::size_t i = 0; i < p; ++i) {
-            if (old_[i].letter == U'[') ++depth;
-            if (old_[i].letter == U']' && depth > 0) --depth;
+            if (old_[i].letter == U'[') open.push_back(i);
+            if (old_[i].letter != U']' || open.empty()) continue;
+            for (std::size_t k = open.back(); k <= i; ++k) is_on_the_way[k] = false;
+            open.pop_back();
         }
-        return Asking(state_.registers).at(clock(old_[p].instance), p, depth, old_[p].age);
+        if (old_[p].letter == U']' && !open.empty()) {
+            for (std::size_t k = open.back(); k < p; ++k) is_on_the_way[k] = false;
+            open.pop_back();
+        }
+        std::size_t distance = 0;
+        for (std::size_t i = 0; i < p; ++i) distance += is_on_the_way[i] && is_object(old_[i]) ? 1 : 0;
+        const std::size_t begin = open.empty() ? 0 : open.back() + 1;
+        const std::size_t end = open.empty() ? old_.size() : partner(open.back()).value_or(old_.size());
+        std::map<char32_t, double> counts;
+        double objects = 0, squares = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+            if (!is_object(old_[i])) continue;
+            ++counts[old_[i].letter];
+            ++objects;
+        }
+        for (const auto& [letter, count] : counts) squares += count * count;
+        return asking(clock(old_[p].instance), old_[p].letter)
+            .knows("age", old_[p].age)
+            .knows("index", static_cast<double>(p))
+            .knows("depth", static_cast<double>(open.size()))
+            .knows("distance", static_cast<double>(distance))
+            .knows("density", objects)
+            .knows("homogeneity", objects > 0 ? squares / (objects * objects) : 0);
     }
 
     // --- rows ---
@@ -268,12 +306,12 @@ private:
             for (const Rule& rule : system_of(instance).rules) {
                 if (contains(done, rule.letter) || !has_rows(instance, rule.letter)) continue;
                 done += rule.letter;
-                if (!is_over(instance)) advance(row_of(instance, rule.letter));
+                if (!is_over(instance)) advance(row_of(instance, rule.letter), clock(instance));
             }
         }
     }
-    // To the row that serves this iteration.
-    void advance(State::Row& row) {
+    // To the row that serves the next iteration of the instance, which is said.
+    void advance(State::Row& row, std::uint32_t iteration) {
         const std::vector<const Rule*> rules = rules_of(row.instance, row.letter);
         const AfterRows after = system_of(row.instance).after;
         for (std::size_t tries = 0; row.left == 0 && !row.is_over; ++tries) {
@@ -290,7 +328,7 @@ private:
             }
             double length = 1;
             if (const ExpressionPtr& loop = rules[row.row]->loop) {
-                const auto asked = Asking(state_.registers).number(loop);
+                const auto asked = asking(iteration, row.letter).number(loop);
                 if (!asked) return fail(Outcome::wrong);
                 length = *asked;
             }
@@ -414,7 +452,7 @@ private:
         const std::vector<const Rule*> rules = rules_of(instance, successor.target);
         State::Row row = before_rows(instance, successor.target);
         if (has_rows(instance, successor.target)) {
-            for (std::uint32_t i = 0; i < successor.target_iteration; ++i) advance(row);
+            for (std::uint32_t i = 1; i <= successor.target_iteration; ++i) advance(row, i);
         }
         for (std::size_t k = 0; k < rules.size(); ++k) {
             if (has_rows(instance, successor.target) && (row.is_over || row.row != k)) continue;

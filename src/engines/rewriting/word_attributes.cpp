@@ -12,21 +12,15 @@ std::vector<SymbolAttributes> attributes_of(std::u32string_view word, const std:
                                             std::span<const std::uint32_t> ages, const ObjectTest& objects) {
     std::vector<SymbolAttributes> attributes;
     attributes.reserve(tokens.size());
-    std::vector<std::uint32_t> outer;  // the distances at which the open branches began
-    std::uint32_t distance = 0;
+    WordWalk walk;
     std::size_t aged = 0;
     for (const EditToken token : tokens) {
         SymbolAttributes one;
         one.symbol = token_symbol(word, token);
         one.is_object = objects(one.symbol);
-        if (one.symbol == U']' && !outer.empty()) {
-            distance = outer.back();
-            outer.pop_back();
-        }
-        one.depth = static_cast<std::uint32_t>(outer.size());
-        one.distance = distance;
-        if (one.symbol == U'[') outer.push_back(distance);
-        if (one.is_object) ++distance;
+        const WordWalk::Place place = walk.next(one.symbol, one.is_object);
+        one.depth = place.depth;
+        one.distance = place.distance;
         if (aged < ages.size() && one.symbol != U'=') one.age = ages[aged];
         for (const char32_t c : token_text(word, token)) aged += c != U'=' ? 1 : 0;
         attributes.push_back(one);

@@ -19,6 +19,28 @@ namespace filigree::rewriting {
 bool is_object(char32_t symbol);  // every letter of any script that is no axis letter
 using ObjectTest = std::function<bool(char32_t)>;
 
+// Where the symbols of a word stand, told one after another.
+class WordWalk {
+public:
+    struct Place {
+        std::uint32_t depth = 0, distance = 0;  // as in SymbolAttributes
+    };
+    Place next(char32_t symbol, bool is_object) {
+        if (symbol == U']' && !outer_.empty()) {
+            distance_ = outer_.back();
+            outer_.pop_back();
+        }
+        const Place place{static_cast<std::uint32_t>(outer_.size()), distance_};
+        if (symbol == U'[') outer_.push_back(distance_);
+        if (is_object) ++distance_;
+        return place;
+    }
+
+private:
+    std::vector<std::uint32_t> outer_;  // the distances at which the open branches began
+    std::uint32_t distance_ = 0;
+};
+
 struct SymbolAttributes {
     char32_t symbol = 0;
     std::uint32_t age = 1;
