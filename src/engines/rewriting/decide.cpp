@@ -3,31 +3,27 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 
-#include "engines/rewriting/contexts.h"
 #include "engines/rewriting/pattern.h"
-#include "engines/rewriting/symbol_facts.h"
+#include "engines/rewriting/rule_match.h"
 
 namespace filigree::rewriting {
 namespace {
 
 constexpr std::uint32_t most_nested = 16;  // subsystems that put subsystems at once
 
-Value number(double value) { return Value{Quantity{value}, {}}; }
-
 class Planner {
 public:
     Planner(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options, const Job& job)
-        : derivation_(derivation), grammar_(grammar), options_(options), job_(job), asked_(facts_asked(grammar)) {
-        names_.outer = options.globals;
-        for (const Register& known : derivation.registers) names_.names[known.name] = number(known.value);
-        registers_ = derivation.registers;
-        facts_of_row_.outer = facts_of_symbol_.outer = &names_;
-    }
+        : derivation_(derivation),
+          grammar_(grammar),
+          options_(options),
+          job_(job),
+          match_(derivation, grammar, options),
+          registers_(derivation.registers) {}
 
     Result<StepPlan> run() {
-        if (!advance_rows()) return std::move(*problem_);
+        if (!match_.advance_rows()) return std::move(*match_.problem);
         const std::size_t known = derivation_.alphabet.size();
         plan_.entries.resize(known);
         candidates_.resize(known);
@@ -36,10 +32,10 @@ public:
         bool must_decide = false;
         for (std::size_t s = 0; s < known; ++s) {
             if (!stands[s]) continue;
-            if (!plan_symbol(static_cast<Symbol>(s))) return std::move(*problem_);
+            if (!plan_symbol(static_cast<Symbol>(s))) return std::move(*match_.problem);
             must_decide = must_decide || plan_.entries[s].image == StepPlan::decided;
         }
-        if (must_decide && !decide_all()) return std::move(*problem_);
+        if (must_decide && !decide_all()) return std::move(*match_.problem);
         derivation_.registers = std::move(registers_);
         return std::move(plan_);
     }
@@ -47,102 +43,15 @@ public:
 private:
     using Kind = StepPlan::Kind;
 
-    bool fail(Diagnostic problem) {
-        problem_ = std::move(problem);
-        return false;
-    }
-    std::uint32_t next_iteration() const { return derivation_.iteration + 1; }
-    const System& system_of(std::uint32_t scope) const { return grammar_.systems[derivation_.scopes[scope].system]; }
-    std::uint32_t clock_of(std::uint32_t scope) const { return next_iteration() - derivation_.scopes[scope].born; }
-    // A subsystem that grows stops after its own iterations.
-    bool is_running(std::uint32_t scope) const { return scope == 0 || clock_of(scope) <= system_of(scope).iterations; }
-
-    // --- rows ---
-
-    std::vector<const Rule*> rules_of(const System& system, char32_t letter) const {
-        std::vector<const Rule*> rules;
-        for (const Rule& rule : system.rules) {
-            if (rule.letter == letter) rules.push_back(&rule);
-        }
-        return rules;
-    }
-    static bool are_rows(const std::vector<const Rule*>& rules) {
-        return std::any_of(rules.begin(), rules.end(), [](const Rule* rule) { return rule->loop != nullptr; });
-    }
-
-    bool advance_rows() {
-        for (std::uint32_t scope = 0; scope < derivation_.scopes.size(); ++scope) {
-            if (!is_running(scope)) continue;
-            std::u32string met;
-            for (const Rule& rule : system_of(scope).rules) {
-                if (met.find(rule.letter) != std::u32string::npos) continue;
-                met += rule.letter;
-                const std::vector<const Rule*> rules = rules_of(system_of(scope), rule.letter);
-                if (are_rows(rules) && !advance_row(scope, rule.letter, rules)) return false;
-            }
-        }
-        return true;
-    }
-    bool advance_row(std::uint32_t scope, char32_t letter, const std::vector<const Rule*>& rules) {
-        const auto [at, is_new] = derivation_.rows.try_emplace({scope, letter});
-        return advance(at->second, is_new, scope, clock_of(scope), rules);
-    }
-    // To the row that serves an iteration, the next of its system; `row.row` is behind the last where none does.
-    bool advance(Derivation::Row& row, bool is_new, std::uint32_t scope, std::uint32_t iteration,
-                 const std::vector<const Rule*>& rules) {
-        const auto count = static_cast<std::uint32_t>(rules.size());
-        if (row.row == count) return true;
-        if (!is_new) {
-            if (--row.left > 0) return true;
-            ++row.row;
-        }
-        // One round at most, so that rows that serve no iteration at all end.
-        for (std::uint32_t tried = 0; tried <= count; ++tried) {
-            if (row.row == count) {
-                if (system_of(scope).after == AfterRows::identity) return true;
-                if (system_of(scope).after == AfterRows::hold) {
-                    row.row = count - 1;
-                    row.left = UINT64_MAX;
-                    return true;
-                }
-                row.row = 0;
-            }
-            row.left = 1;
-            if (const ExpressionPtr& loop = rules[row.row]->loop) {
-                const Result<double> times = value_of(loop, facts_of_row(iteration, rules[row.row]->letter));
-                if (!times) return fail(times.diagnostics().front());
-                row.left = *times >= 0.5 ? static_cast<std::uint64_t>(std::min(*times + 0.5, 1e18)) : 0;
-            }
-            if (row.left > 0) return true;
-            ++row.row;
-        }
-        row.row = count;
-        return true;
-    }
+    bool fail(Diagnostic problem) { return match_.fail(std::move(problem)); }
 
     // --- what becomes of a symbol ---
-
-    static bool serves(const Rule& rule, std::uint32_t iteration) {
-        return rule.first <= iteration && iteration <= rule.last;
-    }
-
-    // The rules that may apply to a letter in an iteration of its system, in their order.
-    std::vector<const Rule*> candidates(std::uint32_t scope, char32_t letter, std::uint32_t iteration) const {
-        std::vector<const Rule*> rules = rules_of(system_of(scope), letter);
-        if (are_rows(rules)) {
-            const auto row = derivation_.rows.find({scope, letter});
-            if (row == derivation_.rows.end() || row->second.row >= rules.size()) return {};
-            rules = {rules[row->second.row]};
-        }
-        std::erase_if(rules, [&](const Rule* rule) { return !serves(*rule, iteration); });
-        return rules;
-    }
 
     bool plan_symbol(Symbol symbol) {
         const SymbolEntry entry = derivation_.alphabet[symbol];
         StepPlan::Entry& planned = plan_.entries[symbol];
-        if (entry.role == Role::freeze || !is_running(entry.scope)) return true;
-        const System& system = system_of(entry.scope);
+        if (entry.role == Role::freeze || !match_.is_running(entry.scope)) return true;
+        const System& system = match_.system_of(entry.scope);
         switch (entry.role) {
             case Role::counter: {
                 planned.kind = Kind::count;
@@ -165,7 +74,7 @@ private:
             default:
                 break;
         }
-        candidates_[symbol] = candidates(entry.scope, entry.letter, clock_of(entry.scope));
+        candidates_[symbol] = match_.candidates(entry.scope, entry.letter);
         const std::vector<const Rule*>& rules = candidates_[symbol];
         if (rules.empty()) return true;
         planned.kind = entry.role == Role::ordinal    ? Kind::multiply
@@ -176,7 +85,7 @@ private:
         const bool is_certain = first.left.empty() && first.right.empty() && !first.condition &&
                                 first.assignments.empty() && first.successors.size() == 1;
         if (!is_certain || !is_fixed(first.successors[0])) return true;
-        const std::optional<std::uint32_t> image = image_of(first.successors[0], entry.scope, 0, names_);
+        const std::optional<std::uint32_t> image = image_of(first.successors[0], entry.scope, 0, match_.names());
         if (!image) return false;
         planned.image = *image;
         return true;
@@ -223,32 +132,23 @@ private:
     // What the target's first rule puts in that iteration; drawn among its successors by the symbol that jumps.
     std::optional<std::uint32_t> image_of_jump(const Successor& jump, std::uint32_t scope, std::size_t index,
                                                const Scope& names) {
-        const std::vector<const Rule*> rules = rules_of(system_of(scope), jump.target);
-        const Rule* target = nullptr;
-        if (are_rows(rules)) {
-            Derivation::Row row;
-            for (std::uint32_t t = 1; t <= jump.target_iteration; ++t) {
-                if (!advance(row, t == 1, scope, t, rules)) return std::nullopt;
-            }
-            if (row.row < rules.size()) target = rules[row.row];
-            if (target != nullptr && !serves(*target, jump.target_iteration)) target = nullptr;
-        } else {
-            const std::vector<const Rule*> serving = candidates(scope, jump.target, jump.target_iteration);
-            if (!serving.empty()) target = serving.front();
-        }
-        if (target == nullptr) return kept_image();
-        const std::optional<std::size_t> which = draw_successor(*target, index, names);
+        const std::optional<const Rule*> found = match_.first_rule(scope, jump.target, jump.target_iteration);
+        if (!found) return std::nullopt;
+        if (*found == nullptr) return kept_image();
+        const Rule& target = **found;
+        const std::optional<std::size_t> which = match_.draw_successor(target, index, names);
         if (!which) return std::nullopt;
-        if (*which == target->successors.size()) return kept_image();
-        const Successor& successor = target->successors[*which];
+        if (*which == target.successors.size()) return kept_image();
+        const Successor& successor = target.successors[*which];
         if (successor.kind == Successor::Kind::jump) return kept_image();
         return image_of(successor, scope, index, names);
     }
 
     std::optional<std::uint32_t> image_of_pattern(const Pattern& pattern, std::uint32_t scope, const Scope& names) {
-        const Result<std::u32string> letters = expanded(
-            pattern, options_.limits.elements, [&](const ExpressionPtr& count) { return value_of(count, names); });
-        if (letters) return image_of_letters(*letters, system_of(scope).roles, scope);
+        const Result<std::u32string> letters =
+            expanded(pattern, options_.limits.elements,
+                     [&](const ExpressionPtr& count) { return match_.value_of(count, names); });
+        if (letters) return image_of_letters(*letters, match_.system_of(scope).roles, scope);
         fail(letters.diagnostics().front());
         return std::nullopt;
     }
@@ -262,7 +162,7 @@ private:
         }
         std::size_t cell = 0;
         for (std::size_t i = 0; i < successor.indexes.size(); ++i) {
-            const Result<double> index = value_of(successor.indexes[i], names);
+            const Result<double> index = match_.value_of(successor.indexes[i], names);
             if (!index) {
                 fail(index.diagnostics().front());
                 return nullptr;
@@ -294,8 +194,9 @@ private:
         planned = {Kind::put, StepPlan::decided, 0};
         if (!grammar_.systems[*system].grows) return true;
         const auto scope = static_cast<std::uint32_t>(derivation_.scopes.size());
-        derivation_.scopes.push_back({*system, next_iteration()});
-        const std::optional<std::uint32_t> image = image_of_pattern(grammar_.systems[*system].axiom, scope, names_);
+        derivation_.scopes.push_back({*system, match_.next_iteration()});
+        const std::optional<std::uint32_t> image =
+            image_of_pattern(grammar_.systems[*system].axiom, scope, match_.names());
         if (!image) return false;
         planned.image = *image;
         return true;
@@ -324,7 +225,7 @@ private:
         }
         std::u32string letters;
         for (const Symbol symbol : inner->word.symbols) letters += inner->alphabet[symbol].letter;
-        return image_of_letters(letters, system_of(scope).roles, scope);
+        return image_of_letters(letters, match_.system_of(scope).roles, scope);
     }
 
     // --- decisions ---
@@ -352,19 +253,14 @@ private:
         const SymbolEntry entry = derivation_.alphabet[symbol];
         if (entry.role == Role::macro) return decide_macro(entry, index, recalls);
         if (entry.role == Role::subsystem) {
-            return grown(*system_named(entry.letter), entry.scope, bits_at(index, 0, index, 0));
+            return grown(*system_named(entry.letter), entry.scope, match_.bits_at(index, 0, index, 0));
         }
-        const System& system = system_of(entry.scope);
         for (const Rule* rule : candidates_[symbol]) {
-            if (!rule->left.empty() && !contexts().has_left(place, rule->left, system.ignored)) continue;
-            if (!rule->right.empty() && !contexts().has_right(place, rule->right, system.ignored)) continue;
-            const Scope& names = facts_at(index, symbol);
-            if (rule->condition) {
-                const std::optional<bool> holds = does_hold(rule->condition, names);
-                if (!holds) return std::nullopt;
-                if (!*holds) continue;
-            }
-            const std::optional<std::size_t> which = draw_successor(*rule, index, names);
+            const std::optional<Verdict> verdict = match_.verdict_of(*rule, {place, index});
+            if (!verdict) return std::nullopt;
+            if (*verdict != Verdict::applies) continue;
+            const Scope& names = match_.names_at({place, index});
+            const std::optional<std::size_t> which = match_.draw_successor(*rule, index, names);
             if (!which) return std::nullopt;
             if (*which == rule->successors.size()) return kept_image();
             if (!assign(*rule, names)) return std::nullopt;
@@ -376,7 +272,7 @@ private:
     // Registers as they are before the iteration; assignments are made behind it, from left to right.
     bool assign(const Rule& rule, const Scope& names) {
         for (const Assignment& assignment : rule.assignments) {
-            const Result<double> value = value_of(assignment.value, names);
+            const Result<double> value = match_.value_of(assignment.value, names);
             if (!value) return fail(value.diagnostics().front());
             Register* known = find_named(registers_, assignment.name);
             if (known == nullptr) {
@@ -388,96 +284,8 @@ private:
         return true;
     }
 
-    // --- values ---
-
-    Result<double> value_of(const ExpressionPtr& expression, const Scope& names) const {
-        Evaluation at;
-        at.document = options_.document;
-        at.scope = &names;
-        const Result<Value> value = evaluate(*expression, at);
-        if (!value) return value.diagnostics();
-        return as_number(*value);
-    }
-    std::optional<bool> does_hold(const ExpressionPtr& condition, const Scope& names) {
-        Evaluation at;
-        at.document = options_.document;
-        at.scope = &names;
-        const Result<Value> value = evaluate(*condition, at);
-        const Result<bool> flag = value ? as_flag(*value) : Result<bool>(value.diagnostics());
-        if (flag) return *flag;
-        fail(flag.diagnostics().front());
-        return std::nullopt;
-    }
-
-    // What is known of a symbol of the word.
-    const Scope& facts_at(std::size_t index, Symbol symbol) {
-        set(facts_of_symbol_, Fact::t, [&] { return clock_of(derivation_.alphabet[symbol].scope); });
-        set(facts_of_symbol_, Fact::count, [&] { return facts().count(symbol); });
-        for (std::size_t f = row_fact_count; f < fact_names.size(); ++f) {
-            const auto fact = static_cast<Fact>(f);
-            set(facts_of_symbol_, fact, [&] { return facts().value(fact, index); });
-        }
-        return facts_of_symbol_;
-    }
-    // What is known of all symbols of a letter in an iteration of its system.
-    const Scope& facts_of_row(std::uint32_t iteration, char32_t letter) {
-        set(facts_of_row_, Fact::t, [&] { return iteration; });
-        set(facts_of_row_, Fact::count, [&] { return facts().count(letter); });
-        return facts_of_row_;
-    }
-    template <class Value>
-    void set(Scope& scope, Fact fact, Value value) {
-        if (!has(asked_, fact)) return;
-        const std::string_view name = fact_names[static_cast<std::size_t>(fact)];
-        auto known = scope.names.find(name);
-        if (known == scope.names.end()) known = scope.names.emplace(std::string(name), number(0)).first;
-        known->second = number(static_cast<double>(value()));
-    }
-    const SymbolFacts& facts() {
-        if (!facts_) facts_ = std::make_unique<SymbolFacts>(derivation_.word, derivation_.alphabet, asked_);
-        return *facts_;
-    }
-    const Contexts& contexts() {
-        if (!contexts_) contexts_ = std::make_unique<Contexts>(derivation_.word, derivation_.alphabet);
-        return *contexts_;
-    }
-
-    // --- draws ---
-
-    // By lineage: who the symbol is and what for. By position: where it stands and when.
-    std::uint64_t bits_at(std::size_t index, std::uint64_t stream, std::uint64_t ordinal, std::uint64_t draw) const {
-        const Word& word = derivation_.word;
-        if (!word.keys.empty()) return random_bits(options_.seed, Key{word.keys[index]}, stream, draw);
-        return fold(fold(fold(fold(options_.seed, stream), next_iteration()), ordinal), draw);
-    }
-
-    // The number of a successor; that behind the last where no weight is above zero.
-    std::optional<std::size_t> draw_successor(const Rule& rule, std::size_t index, const Scope& names) {
-        if (rule.successors.size() == 1) return 0;
-        const std::uint64_t bits = bits_at(index, 0, index, 0);
-        std::size_t best = rule.successors.size();
-        double least = INFINITY;
-        for (std::size_t s = 0; s < rule.successors.size(); ++s) {
-            double weight = 1;
-            if (rule.successors[s].weight) {
-                const Result<double> said = value_of(rule.successors[s].weight, names);
-                if (!said) {
-                    fail(said.diagnostics().front());
-                    return std::nullopt;
-                }
-                weight = *said;
-            }
-            const double time = race_time(fold(bits, s), weight);
-            if (time < least) {
-                least = time;
-                best = s;
-            }
-        }
-        return best;
-    }
-
     std::optional<std::uint32_t> decide_macro(const SymbolEntry& entry, std::size_t index, bool recalls) {
-        const System& system = system_of(entry.scope);
+        const System& system = match_.system_of(entry.scope);
         const auto macro = std::find_if(system.macros.begin(), system.macros.end(),
                                         [&](const Macro& known) { return known.letter == entry.letter; });
         if (macro == system.macros.end()) return kept_image();
@@ -488,7 +296,7 @@ private:
         const std::uint64_t ordinal = drawn_[{entry.scope, entry.letter}]++;
         std::uint64_t draw = 0;
         const auto whole = [&](std::uint64_t count) {
-            return to_whole(bits_at(index, entry.letter, ordinal, draw++), static_cast<std::uint32_t>(count));
+            return to_whole(match_.bits_at(index, entry.letter, ordinal, draw++), static_cast<std::uint32_t>(count));
         };
         const std::uint64_t length = macro->low + whole(std::uint64_t{macro->high} - macro->low + 1);
         std::u32string letters;
@@ -508,18 +316,13 @@ private:
     const Grammar& grammar_;
     const DeriveOptions& options_;
     const Job& job_;
+    RuleMatcher match_;
     StepPlan plan_;
-    Scope names_;                                       // registers
     std::vector<Register> registers_;                   // behind the iteration
     std::vector<std::vector<const Rule*>> candidates_;  // by symbol
     std::map<std::pair<std::uint32_t, const Successor*>, std::uint32_t> images_of_;
     std::optional<std::uint32_t> kept_;
     std::map<std::pair<std::uint32_t, char32_t>, std::uint64_t> drawn_;  // so far in this iteration
-    const FactSet asked_;
-    std::unique_ptr<SymbolFacts> facts_;
-    Scope facts_of_symbol_, facts_of_row_;
-    std::unique_ptr<Contexts> contexts_;
-    std::optional<Diagnostic> problem_;
 };
 
 }  // namespace

@@ -1,0 +1,227 @@
+#include "engines/rewriting/rule_match.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filigree::rewriting {
+namespace {
+
+Value number(double value) { return Value{Quantity{value}, {}}; }
+
+bool are_rows(const std::vector<const Rule*>& rules) {
+    return std::any_of(rules.begin(), rules.end(), [](const Rule* rule) { return rule->loop != nullptr; });
+}
+bool serves(const Rule& rule, std::uint32_t iteration) { return rule.first <= iteration && iteration <= rule.last; }
+
+}  // namespace
+
+RuleMatcher::RuleMatcher(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options)
+    : derivation_(derivation), grammar_(grammar), options_(options), asked_(facts_asked(grammar)) {
+    names_.outer = options.globals;
+    for (const Register& known : derivation.registers) names_.names[known.name] = number(known.value);
+    names_of_row_.outer = names_of_symbol_.outer = &names_;
+}
+
+// --- rows ---
+
+std::vector<const Rule*> RuleMatcher::rules_of(std::uint32_t scope, char32_t letter) const {
+    std::vector<const Rule*> rules;
+    for (const Rule& rule : system_of(scope).rules) {
+        if (rule.letter == letter) rules.push_back(&rule);
+    }
+    return rules;
+}
+
+bool RuleMatcher::advance_rows() {
+    for (std::uint32_t scope = 0; scope < derivation_.scopes.size(); ++scope) {
+        if (!is_running(scope)) continue;
+        std::u32string met;
+        for (const Rule& rule : system_of(scope).rules) {
+            if (met.find(rule.letter) != std::u32string::npos) continue;
+            met += rule.letter;
+            const std::vector<const Rule*> rules = rules_of(scope, rule.letter);
+            if (!are_rows(rules)) continue;
+            const auto [at, is_new] = derivation_.rows.try_emplace({scope, rule.letter});
+            if (!advance(at->second, is_new, scope, clock_of(scope), rules)) return false;
+        }
+    }
+    return true;
+}
+
+// To the row that serves an iteration, the next of its system; `row.row` is behind the last where none does.
+bool RuleMatcher::advance(Derivation::Row& row, bool is_new, std::uint32_t scope, std::uint32_t iteration,
+                          const std::vector<const Rule*>& rules) {
+    const auto count = static_cast<std::uint32_t>(rules.size());
+    if (row.row == count) return true;
+    if (!is_new) {
+        if (--row.left > 0) return true;
+        ++row.row;
+    }
+    // One round at most, so that rows that serve no iteration at all end.
+    for (std::uint32_t tried = 0; tried <= count; ++tried) {
+        if (row.row == count) {
+            if (system_of(scope).after == AfterRows::identity) return true;
+            if (system_of(scope).after == AfterRows::hold) {
+                row.row = count - 1;
+                row.left = UINT64_MAX;
+                return true;
+            }
+            row.row = 0;
+        }
+        row.left = 1;
+        if (const ExpressionPtr& loop = rules[row.row]->loop) {
+            const Result<double> times = value_of(loop, names_of_row(iteration, rules[row.row]->letter));
+            if (!times) return fail(times.diagnostics().front());
+            row.left = *times >= 0.5 ? static_cast<std::uint64_t>(std::min(*times + 0.5, 1e18)) : 0;
+        }
+        if (row.left > 0) return true;
+        ++row.row;
+    }
+    row.row = count;
+    return true;
+}
+
+const Derivation::Row* RuleMatcher::row_of(std::uint32_t scope, char32_t letter) const {
+    const auto row = derivation_.rows.find({scope, letter});
+    return row == derivation_.rows.end() ? nullptr : &row->second;
+}
+
+std::vector<const Rule*> RuleMatcher::candidates(std::uint32_t scope, char32_t letter) const {
+    std::vector<const Rule*> rules = rules_of(scope, letter);
+    if (const Derivation::Row* row = row_of(scope, letter)) {
+        if (row->row >= rules.size()) return {};
+        rules = {rules[row->row]};
+    }
+    std::erase_if(rules, [&](const Rule* rule) { return !serves(*rule, clock_of(scope)); });
+    return rules;
+}
+
+std::optional<const Rule*> RuleMatcher::first_rule(std::uint32_t scope, char32_t letter, std::uint32_t iteration) {
+    std::vector<const Rule*> rules = rules_of(scope, letter);
+    if (are_rows(rules)) {
+        Derivation::Row row;
+        for (std::uint32_t t = 1; t <= iteration; ++t) {
+            if (!advance(row, t == 1, scope, t, rules)) return std::nullopt;
+        }
+        if (row.row >= rules.size()) return nullptr;
+        rules = {rules[row.row]};
+    }
+    const auto found =
+        std::find_if(rules.begin(), rules.end(), [&](const Rule* rule) { return serves(*rule, iteration); });
+    return found == rules.end() ? nullptr : *found;
+}
+
+// --- one rule and one symbol ---
+
+std::optional<Verdict> RuleMatcher::verdict_of(const Rule& rule, Standing symbol) {
+    const SymbolEntry& entry = derivation_.alphabet[derivation_.word.symbols[symbol.place]];
+    if (const Derivation::Row* row = row_of(entry.scope, entry.letter)) {
+        std::uint32_t before = 0;  // rows of the letter
+        for (const Rule& other : system_of(entry.scope).rules) {
+            if (&other == &rule) break;
+            before += other.letter == rule.letter ? 1 : 0;
+        }
+        if (row->row != before) return Verdict::other_row;
+    }
+    if (!serves(rule, clock_of(entry.scope))) return Verdict::other_iteration;
+    const std::u32string& ignored = system_of(entry.scope).ignored;
+    if (!rule.left.empty() && !contexts().has_left(symbol.place, rule.left, ignored)) return Verdict::no_left;
+    if (!rule.right.empty() && !contexts().has_right(symbol.place, rule.right, ignored)) return Verdict::no_right;
+    if (!rule.condition) return Verdict::applies;
+    const std::optional<bool> holds = does_hold(rule.condition, names_at(symbol));
+    if (!holds) return std::nullopt;
+    return *holds ? Verdict::applies : Verdict::does_not_hold;
+}
+
+const Contexts& RuleMatcher::contexts() {
+    if (!contexts_) contexts_ = std::make_unique<Contexts>(derivation_.word, derivation_.alphabet);
+    return *contexts_;
+}
+
+// --- values ---
+
+Result<double> RuleMatcher::value_of(const ExpressionPtr& expression, const Scope& names) const {
+    Evaluation at;
+    at.document = options_.document;
+    at.scope = &names;
+    const Result<Value> value = evaluate(*expression, at);
+    if (!value) return value.diagnostics();
+    return as_number(*value);
+}
+std::optional<bool> RuleMatcher::does_hold(const ExpressionPtr& condition, const Scope& names) {
+    Evaluation at;
+    at.document = options_.document;
+    at.scope = &names;
+    const Result<Value> value = evaluate(*condition, at);
+    const Result<bool> flag = value ? as_flag(*value) : Result<bool>(value.diagnostics());
+    if (flag) return *flag;
+    fail(flag.diagnostics().front());
+    return std::nullopt;
+}
+
+const Scope& RuleMatcher::names_at(Standing symbol) {
+    if (symbol.index == named_) return names_of_symbol_;
+    named_ = symbol.index;
+    const Symbol number = derivation_.word.symbols[symbol.place];
+    set(names_of_symbol_, Fact::t, [&] { return clock_of(derivation_.alphabet[number].scope); });
+    set(names_of_symbol_, Fact::count, [&] { return facts().count(number); });
+    for (std::size_t f = row_fact_count; f < fact_names.size(); ++f) {
+        const auto fact = static_cast<Fact>(f);
+        set(names_of_symbol_, fact, [&] { return facts().value(fact, symbol.index); });
+    }
+    return names_of_symbol_;
+}
+// What is known of all symbols of a letter in an iteration of its system.
+const Scope& RuleMatcher::names_of_row(std::uint32_t iteration, char32_t letter) {
+    set(names_of_row_, Fact::t, [&] { return iteration; });
+    set(names_of_row_, Fact::count, [&] { return facts().count(letter); });
+    return names_of_row_;
+}
+template <class Value>
+void RuleMatcher::set(Scope& scope, Fact fact, Value value) {
+    if (!has(asked_, fact)) return;
+    const std::string_view name = fact_names[static_cast<std::size_t>(fact)];
+    auto known = scope.names.find(name);
+    if (known == scope.names.end()) known = scope.names.emplace(std::string(name), number(0)).first;
+    known->second = number(static_cast<double>(value()));
+}
+const SymbolFacts& RuleMatcher::facts() {
+    if (!facts_) facts_ = std::make_unique<SymbolFacts>(derivation_.word, derivation_.alphabet, asked_);
+    return *facts_;
+}
+
+// --- draws ---
+
+std::uint64_t RuleMatcher::bits_at(std::size_t index, std::uint64_t stream, std::uint64_t ordinal,
+                                   std::uint64_t draw) const {
+    const Word& word = derivation_.word;
+    if (!word.keys.empty()) return random_bits(options_.seed, Key{word.keys[index]}, stream, draw);
+    return fold(fold(fold(fold(options_.seed, stream), next_iteration()), ordinal), draw);
+}
+
+std::optional<double> RuleMatcher::weight_of(const Successor& successor, const Scope& names) {
+    if (!successor.weight) return 1;
+    const Result<double> weight = value_of(successor.weight, names);
+    if (weight) return *weight;
+    fail(weight.diagnostics().front());
+    return std::nullopt;
+}
+
+std::optional<std::size_t> RuleMatcher::draw_successor(const Rule& rule, std::size_t index, const Scope& names) {
+    if (rule.successors.size() == 1) return 0;
+    const std::uint64_t bits = bits_at(index, 0, index, 0);
+    std::size_t best = rule.successors.size();
+    double least = INFINITY;
+    for (std::size_t s = 0; s < rule.successors.size(); ++s) {
+        const std::optional<double> weight = weight_of(rule.successors[s], names);
+        if (!weight) return std::nullopt;
+        const double time = race_time(fold(bits, s), *weight);
+        if (time < least) {
+            least = time;
+            best = s;
+        }
+    }
+    return best;
+}
+
+}  // namespace filigree::rewriting

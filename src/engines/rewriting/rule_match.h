@@ -1,0 +1,95 @@
+// Which rule applies to a symbol in the next iteration of a derivation, and which of its successors is drawn: asked by
+// who rewrites (decide.h) and by who explains (explain.h).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engines/rewriting/contexts.h"
+#include "engines/rewriting/derive.h"
+#include "engines/rewriting/symbol_facts.h"
+
+namespace filigree::rewriting {
+
+// What keeps a rule from being applied.
+enum class Verdict : std::uint8_t {
+    applies,
+    other_iteration,  // it does not serve this one
+    other_row,        // another rule of the letter does, or none any more
+    no_left,          // what it must stand between is not there
+    no_right,
+    does_not_hold,  // its condition
+};
+
+// A symbol of the word.
+struct Standing {
+    std::size_t place = 0;  // in Word::symbols
+    std::size_t index = 0;  // among those that are no '='
+};
+
+class RuleMatcher {
+public:
+    // All must outlive this; the derivation's word and registers must stay as they are. Rows are advanced in it.
+    RuleMatcher(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options);
+
+    // The first thing that went wrong. Functions that say so by an empty value or `false` leave it here.
+    std::optional<Diagnostic> problem;
+    bool fail(Diagnostic diagnostic) {
+        problem = std::move(diagnostic);
+        return false;
+    }
+
+    std::uint32_t next_iteration() const { return derivation_.iteration + 1; }
+    const System& system_of(std::uint32_t scope) const { return grammar_.systems[derivation_.scopes[scope].system]; }
+    std::uint32_t clock_of(std::uint32_t scope) const { return next_iteration() - derivation_.scopes[scope].born; }
+    // A subsystem that grows stops after its own iterations.
+    bool is_running(std::uint32_t scope) const { return scope == 0 || clock_of(scope) <= system_of(scope).iterations; }
+
+    // All rows to those that serve the next iteration: once, before anything is asked.
+    bool advance_rows();
+    // The rules of a letter in their order; those that serve the next iteration.
+    std::vector<const Rule*> rules_of(std::uint32_t scope, char32_t letter) const;
+    std::vector<const Rule*> candidates(std::uint32_t scope, char32_t letter) const;
+    // The first rule of a letter that serves any iteration of its system, wherever its letter must stand elsewhere;
+    // null where none does, none where something went wrong.
+    std::optional<const Rule*> first_rule(std::uint32_t scope, char32_t letter, std::uint32_t iteration);
+
+    // Of a rule of this symbol's letter, whether or not it is a candidate.
+    std::optional<Verdict> verdict_of(const Rule& rule, Standing symbol);
+    // Where the rows of a letter have come to; null where its rules are no rows.
+    const Derivation::Row* row_of(std::uint32_t scope, char32_t letter) const;
+    const Contexts& contexts();
+
+    // What is known where a symbol stands: until the next is asked for.
+    const Scope& names_at(Standing symbol);
+    const Scope& names() const { return names_; }  // registers and the document's
+    Result<double> value_of(const ExpressionPtr& expression, const Scope& names) const;
+
+    // A symbol's random bits. By lineage: who it is and what for. By position: where it stands and when.
+    std::uint64_t bits_at(std::size_t index, std::uint64_t stream, std::uint64_t ordinal, std::uint64_t draw) const;
+    std::optional<double> weight_of(const Successor& successor, const Scope& names);
+    // Which of a rule's successors is drawn: the number behind the last where no weight is above zero.
+    std::optional<std::size_t> draw_successor(const Rule& rule, std::size_t index, const Scope& names);
+
+private:
+    bool advance(Derivation::Row& row, bool is_new, std::uint32_t scope, std::uint32_t iteration,
+                 const std::vector<const Rule*>& rules);
+    const Scope& names_of_row(std::uint32_t iteration, char32_t letter);
+    std::optional<bool> does_hold(const ExpressionPtr& condition, const Scope& names);
+    template <class Value>
+    void set(Scope& scope, Fact fact, Value value);
+    const SymbolFacts& facts();
+
+    Derivation& derivation_;
+    const Grammar& grammar_;
+    const DeriveOptions& options_;
+    Scope names_, names_of_symbol_, names_of_row_;
+    std::size_t named_ = SIZE_MAX;  // whose names the symbol's are
+    const FactSet asked_;
+    std::unique_ptr<SymbolFacts> facts_;
+    std::unique_ptr<Contexts> contexts_;
+};
+
+}  // namespace filigree::rewriting
