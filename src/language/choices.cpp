@@ -1,5 +1,6 @@
 #include "language/choices.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -85,19 +86,53 @@ std::string domain_text(const ChoiceDomain& domain) {
 
 // --- recording --------------------------------------------------------------------------------------------------
 
-void record(ChoiceBuffer& buffer, const void* text, std::string_view name, const ChoiceDomain& domain, Key key,
-            double value, ChoiceSource source) {
+namespace {
+
+// As their own comparison says; quick for words, which most alternatives are.
+bool is_same(const Value& a, const Value& b) {
+    const Symbol *word = std::get_if<Symbol>(&a.data), *other = std::get_if<Symbol>(&b.data);
+    return word != nullptr && other != nullptr ? word->name == other->name : a == b;
+}
+
+// As their own comparison says, but by the bits of the numbers: where only 0 and -0 differ, a place is written twice.
+bool is_same(const ChoiceDomain& a, const ChoiceDomain& b) {
+    const auto changed = [](double x, double y) {
+        return std::bit_cast<std::uint64_t>(x) ^ std::bit_cast<std::uint64_t>(y);
+    };
+    const std::uint64_t changes =
+        changed(a.low, b.low) | changed(a.high, b.high) | changed(a.mean, b.mean) | changed(a.deviation, b.deviation);
+    return changes == 0 && a.kind == b.kind && a.whole == b.whole && a.dimension == b.dimension &&
+           a.weights == b.weights &&
+           std::equal(a.alternatives.begin(), a.alternatives.end(), b.alternatives.begin(), b.alternatives.end(),
+                      [](const Value& one, const Value& two) { return is_same(one, two); });
+}
+
+// The index of a place that is known, else of a new one.
+std::uint32_t place_index(ChoiceBuffer& buffer, const void* text, std::string_view name, const ChoiceDomain& domain) {
     constexpr std::size_t remembered = 16;
     const std::size_t count = buffer.places.size();
-    std::size_t place = count;
+    const auto is_at = [&](std::size_t i) {
+        const ChoiceBuffer::Place& known = buffer.places[i];
+        return known.text == text && known.name == name && is_same(known.domain, domain);
+    };
+    // Work goes through the same texts over and over: what followed a place last time mostly follows it again.
+    std::size_t next = buffer.rows.empty() ? 0 : buffer.rows.back().place + std::size_t{1};
+    if (next >= count) next = 0;
+    if (next < count && is_at(next)) return static_cast<std::uint32_t>(next);
     for (std::size_t i = count; i > 0 && i + remembered > count; --i) {
-        const ChoiceBuffer::Place& known = buffer.places[i - 1];
-        if (known.text != text || known.name != name || !(known.domain == domain)) continue;
-        place = i - 1;
-        break;
+        if (is_at(i - 1)) return static_cast<std::uint32_t>(i - 1);
     }
-    if (place == count) buffer.places.push_back({text, std::string(name), domain});
-    buffer.rows.push_back({key, value, static_cast<std::uint32_t>(place), source});
+    if (count == 0) buffer.places.reserve(4);  // to move places costs more than to make room for a few
+    buffer.places.push_back({text, std::string(name), domain});
+    return static_cast<std::uint32_t>(count);
+}
+
+}  // namespace
+
+void record(ChoiceBuffer& buffer, const void* text, std::string_view name, const ChoiceDomain& domain, Key key,
+            double value, ChoiceSource source) {
+    const std::uint32_t place = place_index(buffer, text, name, domain);
+    buffer.rows.push_back({key, value, place, source});
 }
 
 namespace {
@@ -149,15 +184,27 @@ void ChoiceRecorder::append(const ChoiceBuffer& buffer) {
     interned_.assign(buffer.places.size(), {});
     for (const ChoiceBuffer::Row& row : buffer.rows) {
         Interned& place = interned_[row.place];
-        if (!place.known) {
-            const ChoiceBuffer::Place& from = buffer.places[row.place];
-            place = {name_index(from.name), domain_index(from.text, from.domain), true};
-        }
-        choices.keys.push_back(row.key);
-        choices.names.push_back(place.name);
-        choices.values.push_back(row.value);
-        choices.domains.push_back(place.domain);
-        choices.sources.push_back(row.source);
+        if (place.known) continue;
+        const ChoiceBuffer::Place& from = buffer.places[row.place];
+        place = {name_index(from.name), domain_index(from.text, from.domain), true};
+    }
+    const std::size_t first = choices.size(), size = first + buffer.rows.size();
+    const auto grown = [first, size](auto& column) {
+        column.resize(size);
+        return column.data() + first;
+    };
+    Key* key = grown(choices.keys);
+    std::uint32_t* name = grown(choices.names);
+    double* value = grown(choices.values);
+    std::uint32_t* domain = grown(choices.domains);
+    ChoiceSource* source = grown(choices.sources);
+    for (const ChoiceBuffer::Row& row : buffer.rows) {
+        const Interned& place = interned_[row.place];
+        *key++ = row.key;
+        *name++ = place.name;
+        *value++ = row.value;
+        *domain++ = place.domain;
+        *source++ = row.source;
     }
 }
 

@@ -89,7 +89,7 @@ struct ChoiceBuffer {
     std::vector<Place> places = {};
 };
 
-// Adds a row. Its place is found again among the last few; one that was used long before is written once more.
+// Adds a row. Its place is found again behind the last row's, or among the last few; else it is written once more.
 void record(ChoiceBuffer& buffer, const void* text, std::string_view name, const ChoiceDomain& domain, Key key,
             double value, ChoiceSource source);
 
