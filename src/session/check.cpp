@@ -54,6 +54,25 @@ Diagnostics with_place(Diagnostics diagnostics, SourceSpan place) {
     return diagnostics;
 }
 
+// What words have no use for.
+Diagnostics not_for_words(const Document& document) {
+    Diagnostics problems;
+    const auto refuse = [&](std::string_view what, std::string_view why, const Statement& statement) {
+        problems.push_back(error("document.not-for-words",
+                                 "a rewriting grammar has no '" + std::string(what) + "': " + std::string(why),
+                                 statement.span));
+    };
+    for (const Statement& statement : document.statements) {
+        if (std::holds_alternative<StartStatement>(statement.node))
+            refuse("start", "it begins with its axiom", statement);
+        if (std::holds_alternative<OperatorStatement>(statement.node))
+            refuse("operator", "its rules rewrite symbols", statement);
+        if (std::holds_alternative<SymmetryStatement>(statement.node))
+            refuse("symmetry", "embed it in a document that has one", statement);
+    }
+    return problems;
+}
+
 // Checks a document and those that it embeds, each on its own and once.
 class Checker {
 public:
@@ -79,6 +98,8 @@ public:
             checked.shapes = std::make_shared<const ShapeSource>(opened.inputs, checked.settings->resolution);
             take(read_words(opened, checked));
             take(read_styles(*checked.settings, opened.document).diagnostics());
+            take(check_presets(opened, checked));
+            take(not_for_words(opened.document));
             return checked;
         }
         for (const EmbeddedDocument& inner : opened.embedded) checked.embedded.push_back(check_embedded(inner));

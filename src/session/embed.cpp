@@ -60,9 +60,8 @@ public:
 
         Result<std::shared_ptr<const CheckedDocument>> checked = read(document, request);
         if (!checked) return failed(std::move(checked).diagnostics());
-        Result<std::shared_ptr<const Embedded>> embedded = (*checked)->words
-                                                               ? embedded_word(document, *checked, request)
-                                                               : embedded_tangle(*which, *checked, request);
+        Result<std::shared_ptr<const Embedded>> embedded =
+            (*checked)->words ? embedded_word(document, *checked, request) : embedded_tangle(*which, *checked, request);
         if (!embedded) return failed(std::move(embedded).diagnostics());
         return embedded;
     }

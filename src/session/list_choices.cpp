@@ -15,6 +15,12 @@ using tangle::none;
 using tangle::Tangle;
 using Visit = std::function<void(const ListedChoice&)>;
 
+// Each is drawn under its own name, the k-th as NAME~k.
+std::string path_of_definition(const Choices& choices, std::size_t row) {
+    const std::string& name = choices.name_table[choices.names[row]];
+    return "let/" + name.substr(0, name.find('~'));
+}
+
 // Walks one tangle and those that grow in it. Its texts are kept from row to row.
 class ChoiceLister {
 public:
@@ -54,9 +60,7 @@ private:
 
     void list_definitions() {
         for (std::size_t row = 0; row < tangle_.end_definition_choice; ++row) {
-            // Each is drawn under its own name, the k-th as NAME~k.
-            const std::string& name = tangle_.choices.name_table[tangle_.choices.names[row]];
-            set_path("let/" + name.substr(0, name.find('~')));
+            set_path(path_of_definition(tangle_.choices, row));
             hand_over(tangle_.choices, row);
         }
     }
@@ -236,7 +240,11 @@ void append_row(std::string& out, const ListedChoice& choice, DomainTexts& domai
 
 void for_each_choice(const OpenedDocument& opened, const CheckedDocument& checked, const Run& run,
                      const std::function<void(const ListedChoice& choice)>& visit) {
-    ChoiceLister(run.tangle, *checked.grammar, "", visit).list(run.picture, opened);
+    if (!run.word) return ChoiceLister(run.tangle, *checked.grammar, "", visit).list(run.picture, opened);
+    const Choices& choices = run.word->choices;
+    for (std::size_t row = 0; row < choices.size(); ++row) {
+        visit({path_of_definition(choices, row), choices.name_table[choices.names[row]], &choices, row});
+    }
 }
 
 void list_choices(const OpenedDocument& opened, const CheckedDocument& checked, const Run& run, const TextSink& sink) {

@@ -442,8 +442,9 @@ private:
         for (const ChoicePath& target : apply.targets) {
             const PathSegment& first = target.segments.front();
             if (apply.name && first.kind == PathSegment::Kind::name && first.name == apply.name->text) {
-                diagnostics_.push_back(error("preset.impossible-path", "a step cannot be applied to what it makes itself",
-                                             target.span, {"begin the path at a start"}));
+                diagnostics_.push_back(error("preset.impossible-path",
+                                             "a step cannot be applied to what it makes itself", target.span,
+                                             {"begin the path at a start"}));
                 continue;
             }
             const auto found = possible(target);

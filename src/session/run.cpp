@@ -110,7 +110,9 @@ Result<DrawnWord> draw_word(const OpenedDocument& opened, const CheckedDocument&
     Result<rewriting::Picture> picture =
         rewriting::draw(*derivation, *checked.draw_rules, *checked.settings, opened.document, draw);
     if (!picture) return picture.diagnostics();
-    DrawnWord drawn{{std::move(*derivation)}, std::move(picture->drawing), derived};
+    ChoiceRecorder recorder;
+    recorder.append(checked.settings->definitions);
+    DrawnWord drawn{{std::move(*derivation), std::move(recorder.choices)}, std::move(picture->drawing), derived};
     return {std::move(drawn), picture.diagnostics()};
 }
 

@@ -39,6 +39,7 @@ struct UnmatchedPreset {
 // What a rewriting document came to.
 struct WordRun {
     rewriting::Derivation derivation;
+    Choices choices;  // of the document's definitions
 };
 
 struct Run {

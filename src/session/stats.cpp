@@ -3,8 +3,8 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <numeric>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "base/number_text.h"
 #include "engines/tangle/verify.h"
@@ -61,9 +61,9 @@ std::string word_stats_json(const OpenedDocument& opened, const CheckedDocument&
     json["seed"] = checked.settings->seed;
     json["steps"] = derivation.iteration;
     json["elements"] = run.drawing.shapes.size();
-    json["rules"] = std::accumulate(
-        checked.words->systems.begin(), checked.words->systems.end(), std::size_t{0},
-        [](std::size_t sum, const rewriting::System& system) { return sum + system.rules.size(); });
+    json["rules"] =
+        std::accumulate(checked.words->systems.begin(), checked.words->systems.end(), std::size_t{0},
+                        [](std::size_t sum, const rewriting::System& system) { return sum + system.rules.size(); });
     json["seconds"] = seconds_of(run.times);
     json["peak_memory_bytes"] = peak_memory_bytes();
     std::uint64_t vertices = 0;
