@@ -13,8 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 11> layers = {"base",       "plane",   "mesh",    "scene", "formats", "language",
-                                                     "derivation", "engines", "session", "study", "apps"};
+constexpr std::array<std::string_view, 12> layers = {"base",     "plane",      "space",   "mesh",    "scene", "formats",
+                                                     "language", "derivation", "engines", "session", "study", "apps"};
 
 std::size_t layer_of(const fs::path& path) {
     return static_cast<std::size_t>(std::find(layers.begin(), layers.end(), path.begin()->string()) - layers.begin());
@@ -59,7 +59,8 @@ std::string objection(const fs::path& source, const std::string& name) {
     if (is_engine && *target.begin() == "engines" && engine_of(target) != engine_of(source)) {
         return "engines never include each other";
     }
-    if (*source.begin() == "language" && (*target.begin() == "mesh" || *target.begin() == "formats")) {
+    if (*source.begin() == "language" &&
+        (*target.begin() == "space" || *target.begin() == "mesh" || *target.begin() == "formats")) {
         return "of geometry, the language knows only the plane, and what is drawn";
     }
     return "";
@@ -74,6 +75,7 @@ TEST(Layering, ObjectsToWrongIncludes) {
     EXPECT_NE(objection("engines/tangle/derive.cpp", "\"engines/shape/derive.h\""), "");
     EXPECT_NE(objection("engines/tangle/derive.cpp", "<fstream>"), "");
     EXPECT_NE(objection("language/parse.cpp", "\"formats/svg_read.h\""), "");
+    EXPECT_NE(objection("language/style.h", "\"space/vector.h\""), "");
     EXPECT_EQ(objection("language/style.h", "\"scene/drawing.h\""), "");
     EXPECT_EQ(included("  #  include \"base/result.h\"  // why"), "\"base/result.h\"");
     EXPECT_EQ(included("// #include <vector>"), "");

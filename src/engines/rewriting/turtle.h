@@ -23,21 +23,11 @@
 #include "base/result.h"
 #include "engines/rewriting/word.h"
 #include "plane/point.h"
+#include "space/vector.h"
 
 namespace filigree::rewriting {
 
-struct Vec3 {
-    double x = 0, y = 0, z = 0;
-
-    bool operator==(const Vec3&) const = default;
-};
-
-// Orthonormal and right-handed: heading x left = up.
-struct Frame {
-    Vec3 heading{1, 0, 0}, left{0, 1, 0}, up{0, 0, 1};
-
-    bool operator==(const Frame&) const = default;
-};
+using Frame = Frame3;  // not the plane's
 
 // What a letter makes the turtle do.
 enum class Act : std::uint8_t {

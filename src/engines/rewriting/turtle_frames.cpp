@@ -1,16 +1,8 @@
 #include "engines/rewriting/turtle_frames.h"
 
-#include <cmath>
-
 namespace filigree::rewriting {
 namespace {
 
-constexpr double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-constexpr Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-Vec3 unit(Vec3 a) {
-    const double length = std::sqrt(dot(a, a));
-    return {a.x / length, a.y / length, a.z / length};
-}
 constexpr Vec3 along(double c, Vec3 a, double s, Vec3 b) {  // never -0
     return {c * a.x + s * b.x + 0.0, c * a.y + s * b.y + 0.0, c * a.z + s * b.z + 0.0};
 }
@@ -31,7 +23,7 @@ Frame turned(const Frame& frame, Axis axis, elementary::CosSin by) {
 
 Frame orthonormal(const Frame& frame) {
     const Vec3 heading = unit(frame.heading);
-    const Vec3 left = unit(sum(frame.left, scaled(heading, -dot(frame.left, heading))));
+    const Vec3 left = unit(frame.left + heading * -dot(frame.left, heading));
     return {heading, left, cross(heading, left)};
 }
 

@@ -6,9 +6,6 @@
 
 namespace filigree::rewriting {
 
-constexpr Vec3 scaled(Vec3 a, double s) { return {a.x * s, a.y * s, a.z * s}; }
-constexpr Vec3 sum(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-
 enum class Axis : std::uint8_t { up, left, heading };
 
 // Counterclockwise as seen against the axis. Quarter turns of the world's axes are exact, and no number is -0.

@@ -17,8 +17,6 @@ constexpr std::u32string_view everything = U"FFFaab=++--<>?TPDXYZQ[[]]#!,;o{}.f"
 
 bool are_near(Vec3 a, Vec3 b, double error) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z) <= error; }
 
-double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
 // Columns: heading, left, up.
 using Matrix = std::array<std::array<double, 3>, 3>;
 

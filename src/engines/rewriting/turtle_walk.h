@@ -83,7 +83,7 @@ private:
 
     void step(std::size_t at, Act act) {
         const Vec3 from = state_.position;
-        state_.position = sum(from, scaled(frame().heading, settings_.step * state_.scale));
+        state_.position = from + frame().heading * (settings_.step * state_.scale);
         const auto& [x, y, z] = state_.position;
         if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) problem_ = out_of_range(at);
         told_.step(at, act, from, *this);
