@@ -13,8 +13,9 @@ constexpr std::string_view step_name_list[] = {"area", "width", "height", "count
 constexpr std::string_view shape_name_list[] = {"index", "x", "y", "i", "j"};
 constexpr std::string_view style_name_list[] = {"area",  "width", "height", "x",     "y",
                                                 "index", "i",     "j",      "depth", "group"};
-constexpr std::string_view word_style_name_list[] = {"index", "x",        "y",      "z",     "depth",
-                                                     "age",   "distance", "colour", "width", "group"};
+constexpr std::string_view word_style_name_list[] = {"index",    "x",       "y",           "z",      "depth", "age",
+                                                     "distance", "density", "homogeneity", "colour", "width", "group",
+                                                     "count",    "t"};
 constexpr std::string_view special_forms[] = {"one_of", "normal", "each"};
 
 bool contains(std::span<const std::string_view> names, std::string_view name) {

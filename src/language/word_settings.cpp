@@ -29,6 +29,7 @@ constexpr std::array settings = {
                 true},
     WordSetting{"formula", "formula k * 15", "degrees of the k-th ?, of k, t, depth, age, x, y and z; or a list", true},
     WordSetting{"colours", "colours [#1a1a1a, #a03020]", "a palette for next_colour and previous_colour", true},
+    WordSetting{"tubes", "tubes 8", "lines in space are solid, with so many sides", true},
     WordSetting{"view", "view 30, 25", "from where words in space are seen: azimuth and elevation, degrees", true},
 };
 

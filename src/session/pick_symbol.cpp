@@ -64,7 +64,7 @@ std::optional<Picked> pick_symbol(const OpenedDocument& opened, const CheckedDoc
     const DrawnShape& drawn = picture->drawing.shapes[*shape];
     const bool is_line = picture->drawing.styles[drawn.style].is_open;
     std::uint64_t symbol = picture->symbols.empty() ? 0 : picture->symbols[*shape];
-    if (is_line) {
+    if (is_line && !picture->is_in_space) {
         Diagnostics problems;
         const Result<TurtleDrawing> turtled = rewriting::turtle_drawing(
             derivation.word, derivation.alphabet,

@@ -2,34 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
 #include <utility>
 
 #include "derivation/page_canvas.h"
 #include "engines/rewriting/turtle_flat.h"
-#include "engines/rewriting/word_attributes.h"
+#include "engines/rewriting/word_solid.h"
 #include "language/form_value.h"
-#include "language/style.h"
-#include "language/walk.h"
 #include "plane/clean.h"
 #include "plane/moved_polygon.h"
 #include "plane/transform.h"
 #include "scene/drawn_pen.h"
+#include "scene/solid_view.h"
 
 namespace filigree::rewriting {
 namespace {
-
-constexpr Colour ink{0, 0, 0, 255}, paper{255, 255, 255, 255};
-
-bool mentions(const ExpressionPtr& expression, std::string_view name) {
-    if (!expression) return false;
-    const std::vector<NameInExpression> names = names_in(*expression);
-    return std::any_of(names.begin(), names.end(), [&](const NameInExpression& one) { return one.text == name; });
-}
-
-Value bare(double value) { return Value{Quantity{value}, {}}; }
-Value length_value(double px) { return Value{Quantity{px, 1, false}, {}}; }
 
 struct Extent {
     Vec low{1e300, 1e300}, high{-1e300, -1e300};
@@ -41,42 +27,6 @@ struct Extent {
     bool is_empty() const { return low.x > high.x; }
 };
 
-// What styles may ask of a symbol, gone through in the order of the word.
-class SymbolWalk {
-public:
-    SymbolWalk(const Word& word, const Alphabet& alphabet) : word_(word), alphabet_(alphabet) {}
-
-    std::uint64_t index = 0;  // among symbols that are no '='
-    std::uint32_t depth = 0, distance = 0;
-
-    void advance_to(std::uint64_t place) {
-        for (; place_ < place; ++place_) {
-            const Symbol symbol = word_.symbols[place_];
-            if (symbol == Alphabet::freeze) continue;
-            const char32_t letter = alphabet_[symbol].letter;
-            ++index;
-            if (letter == U'[') {
-                ++depth;
-                branches_.push_back(distance);
-            } else if (letter == U']' && !branches_.empty()) {
-                --depth;
-                distance = branches_.back();
-                branches_.pop_back();
-            } else if (is_object(letter)) {
-                ++distance;
-            }
-        }
-    }
-    std::uint32_t age() const { return index < word_.ages.size() ? word_.ages[index] : 1; }
-    Key key(Key root) const { return child(root, index < word_.keys.size() ? word_.keys[index] : index); }
-
-private:
-    const Word& word_;
-    const Alphabet& alphabet_;
-    std::uint64_t place_ = 0;
-    std::vector<std::uint32_t> branches_;
-};
-
 class WordDrawer {
 public:
     WordDrawer(const Derivation& derivation, const DrawRules& rules, const Settings& settings, const Document& document,
@@ -86,102 +36,28 @@ public:
           rules_(rules),
           settings_(settings),
           document_(document),
-          sheet_(std::move(sheet)),
-          options_(options),
-          walk_(word_, derivation.alphabet) {
-        for (std::size_t s = 0; s < derivation.alphabet.size(); ++s) {
-            const char32_t letter = derivation.alphabet[static_cast<Symbol>(s)].letter;
-            letter_styles_.push_back(style_of_tag(sheet_, to_utf8(std::u32string(1, letter))));
-        }
-    }
+          styles_(derivation, rules, settings, std::move(sheet), options.root),
+          options_(options) {}
 
     Result<Picture> run() {
         Diagnostics problems;
         const TurtleSettings turtle = turtle_settings(rules_, derivation_.iteration, settings_, document_, problems);
-        if (const std::optional<TagStyle> common = common_line_style()) {
+        if (const StyleOverride* common = styles_.common(); common != nullptr && !rules_.view) {
             Result<std::optional<FlatDrawing>> flat =
                 flat_drawing(word_.symbols, derivation_.alphabet, turtle, settings_.limits.elements);
             if (!flat) return flat.diagnostics();
-            if (*flat) return draw_flat(**flat, common->common);
+            if (*flat) return draw_flat(**flat, *common);
         }
         const Result<TurtleDrawing> turtled =
             turtle_drawing(word_, derivation_.alphabet, turtle, settings_.limits.elements);
         if (!turtled) return turtled.diagnostics();
         if (!problems.empty()) return problems;
         if (!read_forms()) return errors_;
-        return draw_in_wall(*turtled);
+        return rules_.view || leaves_wall(*turtled) ? draw_in_space(*turtled) : draw_in_wall(*turtled);
     }
 
 private:
     // --- styles ---
-
-    // Where all letters look the same, whatever stands around them, and no pen is moved by hand.
-    std::optional<TagStyle> common_line_style() const {
-        const TagStyle* common = nullptr;
-        for (const TagStyle& style : letter_styles_) {
-            if (!style.is_constant || (common != nullptr && !(style.common == common->common))) return std::nullopt;
-            common = &style;
-        }
-        if (common == nullptr || common->common.line == LineQuality::drawn) return std::nullopt;
-        return *common;
-    }
-
-    Colour colour_of(std::int64_t level) const {
-        if (rules_.colours.empty()) return ink;
-        const auto count = static_cast<std::int64_t>(rules_.colours.size());
-        return rules_.colours[static_cast<std::size_t>((level % count + count) % count)];
-    }
-
-    enum class Kind { line, face };
-
-    static void apply(const StyleOverride& over, Style& style) {
-        if (over.fill) style.fill = *over.fill;
-        if (over.stroke) style.stroke = *over.stroke;
-        if (over.pen) style.pen = *over.pen;
-        if (over.corner) style.corner = *over.corner;
-    }
-    Style base_style(Kind kind, double width, std::int64_t colour) const {
-        Style style;
-        style.pen = width;
-        style.stroke = colour_of(colour);
-        style.is_open = kind == Kind::line;
-        if (kind == Kind::face) style.fill = rules_.colours.empty() ? paper : colour_of(colour);
-        return style;
-    }
-
-    struct Look {
-        Style style;
-        bool is_drawn = false;  // by hand
-    };
-    // Of what a symbol draws; the walk stands there.
-    Look look_of(Kind kind, std::uint64_t symbol, double width, std::int64_t colour, Vec3 at) {
-        Look look{base_style(kind, width, colour), false};
-        const TagStyle& of_letter = letter_styles_[word_.symbols[symbol]];
-        StyleOverride over = of_letter.common;
-        if (!of_letter.is_constant) {
-            Scope scope;
-            scope.outer = &settings_.globals;
-            scope.names = {{"index", bare(static_cast<double>(walk_.index))},
-                           {"x", length_value(at.x)},
-                           {"y", length_value(at.y)},
-                           {"z", length_value(at.z)},
-                           {"depth", bare(walk_.depth)},
-                           {"age", bare(walk_.age())},
-                           {"distance", bare(walk_.distance)},
-                           {"colour", bare(static_cast<double>(colour))},
-                           {"width", length_value(width)},
-                           {"group", bare(walk_.depth + 1.0)}};
-            Result<StyleOverride> style = style_of_shape(sheet_, of_letter, scope, walk_.key(options_.root));
-            if (style) {
-                over = *style;
-            } else if (errors_.empty()) {
-                errors_ = style.diagnostics();
-            }
-        }
-        apply(over, look.style);
-        look.is_drawn = kind == Kind::line && over.line == LineQuality::drawn;
-        return look;
-    }
 
     std::uint32_t index_of(const Style& style) {
         if (!picture_.drawing.styles.empty() && picture_.drawing.styles[last_style_] == style) return last_style_;
@@ -293,6 +169,56 @@ private:
         return {std::move(picture_), std::move(warnings)};
     }
 
+    // --- in space ---
+
+    static bool leaves_wall(const TurtleDrawing& turtled) {
+        const auto is_out = [](Vec3 p) { return std::fabs(p.z) > 1e-9; };
+        const auto leans = [](const Frame& frame) {
+            return std::fabs(frame.heading.z) > 1e-9 || std::fabs(frame.left.z) > 1e-9;
+        };
+        return std::any_of(turtled.segments.begin(), turtled.segments.end(),
+                           [&](const TurtleSegment& s) { return is_out(s.from) || is_out(s.to); }) ||
+               std::any_of(turtled.corners.begin(), turtled.corners.end(), is_out) ||
+               std::any_of(turtled.shapes.begin(), turtled.shapes.end(),
+                           [&](const TurtleShape& s) { return is_out(s.position) || leans(s.frame); });
+    }
+
+    Result<Picture> draw_in_space(const TurtleDrawing& turtled) {
+        const Result<WordSolid> solid = word_solid(derivation_, turtled, rules_, forms_, styles_);
+        if (!solid) return solid.diagnostics();
+        View view = rules_.view.value_or(View{});
+        view.up = UpAxis::y;
+        SolidViewOptions options;
+        options.margin = 0;
+        options.path = "word";
+        options.most_pieces = settings_.limits.elements;
+        Result<Drawing> drawing = solid_view(solid->mesh, solid->materials, view, options);
+        if (!drawing) return drawing.diagnostics();
+        const auto extent_of_canvas = [&] {
+            const Canvas& canvas = drawing->canvas;
+            Extent extent;
+            extent.add(canvas.origin);
+            extent.add(canvas.origin + canvas.size);
+            return extent;
+        };
+        if (const double scale = place_of(extent_of_canvas()).scale; scale != 1) {
+            view.scale = scale;
+            drawing = solid_view(solid->mesh, solid->materials, view, options);
+            if (!drawing) return drawing.diagnostics();
+        }
+        Diagnostics warnings;
+        const Extent extent = extent_of_canvas();
+        picture_.drawing = std::move(*drawing);
+        picture_.drawing.canvas =
+            page_canvas(settings_, document_, {snap(extent.low), snap(extent.high)}, "the lines", warnings);
+        for (const DrawnShape& shape : picture_.drawing.shapes) {
+            const auto symbol = solid->symbols.find(shape.key.value);
+            picture_.symbols.push_back(symbol == solid->symbols.end() ? 0 : symbol->second);
+        }
+        picture_.is_in_space = true;
+        return {std::move(picture_), std::move(warnings)};
+    }
+
     // --- lines, faces ---
 
     void add_shape(const Style& style, Key key, std::uint64_t symbol) {
@@ -310,7 +236,7 @@ private:
             return;
         }
         if (geometry_.points.size() == first + 1) geometry_.points.push_back(geometry_.points.back());
-        if (look.is_drawn) {
+        if (look.is_by_hand) {
             const std::vector<Point> line(geometry_.points.begin() + static_cast<std::ptrdiff_t>(first),
                                           geometry_.points.end());
             geometry_.points.resize(first);
@@ -338,8 +264,7 @@ private:
         geometry_.points.reserve(flat.point_count);
         for (std::size_t r = 0; r < flat.runs.size(); ++r) {
             const FlatRun& run = flat.runs[r];
-            Look look{base_style(Kind::line, run.width, run.colour), false};
-            apply(over, look.style);
+            const Look look = styles_.look_of(Drawn::line, run.width, run.colour, over);
             const std::size_t first = geometry_.points.size();
             for (const Vec p : flat.points().subspan(run.first, run.count))
                 add_point(snap(place({p.x, p.y, 0})), first);
@@ -389,16 +314,16 @@ private:
                 draw_others_before(segment.symbol);
                 first = geometry_.points.size();
             }
-            walk_.advance_to(segment.symbol);
-            const Look now = look_of(Kind::line, segment.symbol, segment.width, segment.colour, segment.from);
-            if (!errors_.empty()) return errors_;
+            const Look now =
+                styles_.look_of(Drawn::line, {segment.symbol, segment.width, segment.colour, segment.from});
+            if (!styles_.errors.empty()) return styles_.errors;
             const bool goes_on = !is_interrupted && geometry_.points.size() > first && segment.from == at &&
-                                 now.style == look.style && now.is_drawn == look.is_drawn;
+                                 now.style == look.style && now.is_by_hand == look.is_by_hand;
             if (!goes_on) {
                 end_line(first, look, key, symbol);
                 first = geometry_.points.size();
                 look = now;
-                key = walk_.key(options_.root);
+                key = styles_.key_of(segment.symbol);
                 symbol = segment.symbol;
                 add_point(snap(place(segment.from)), first);
             }
@@ -407,22 +332,20 @@ private:
         }
         end_line(first, look, key, symbol);
         draw_others_before(UINT64_MAX);
-        if (!errors_.empty()) return errors_;
+        if (!styles_.errors.empty()) return styles_.errors;
         return finished(extent, place);
     }
 
     void draw_polygon(const TurtleDrawing& turtled, const TurtlePolygon& polygon, const PagePlace& place) {
-        walk_.advance_to(polygon.symbol);
-        const Look look =
-            look_of(Kind::face, polygon.symbol, polygon.width, polygon.colour, turtled.corners[polygon.first]);
+        const Look look = styles_.look_of(
+            Drawn::face, {polygon.symbol, polygon.width, polygon.colour, turtled.corners[polygon.first]});
         std::vector<Point> ring;
         for (std::uint64_t i = 0; i < polygon.count; ++i)
             ring.push_back(snap(place(turtled.corners[polygon.first + i])));
         add_faces(clean(std::vector<std::vector<Point>>{std::move(ring)}, FillRule::nonzero), look, polygon.symbol);
     }
     void draw_shape(const TurtleDrawing& turtled, const TurtleShape& shape, const PagePlace& place) {
-        walk_.advance_to(shape.symbol);
-        const Look look = look_of(Kind::face, shape.symbol, shape.width, shape.colour, shape.position);
+        const Look look = styles_.look_of(Drawn::face, {shape.symbol, shape.width, shape.colour, shape.position});
         const Polygons& form = form_of(turtled, shape);
         const Transform to_page = transform_of(shape, place);
         Polygons moved, placed;
@@ -441,7 +364,7 @@ private:
         if (!has_fill(look.style) && !has_stroke(look.style)) return;
         for (std::size_t i = 0; i < faces.size(); ++i) {
             geometry_.add(faces[i]);
-            add_shape(look.style, child(walk_.key(options_.root), i), symbol);
+            add_shape(look.style, child(styles_.key_of(symbol), i), symbol);
         }
     }
 
@@ -450,10 +373,8 @@ private:
     const DrawRules& rules_;
     const Settings& settings_;
     const Document& document_;
-    const StyleSheet sheet_;
+    WordStyles styles_;
     const DrawOptions& options_;
-    std::vector<TagStyle> letter_styles_;  // by symbol
-    SymbolWalk walk_;
     std::vector<Polygons> forms_;  // of rules_.forms
     Picture picture_;
     Polygons geometry_;
@@ -463,15 +384,6 @@ private:
 
 }  // namespace
 
-bool asks_for_ages(const DrawRules& rules, const Settings& settings) {
-    if (mentions(rules.formula, "age")) return true;
-    return std::any_of(settings.styles.begin(), settings.styles.end(), [](const StyleStatement* style) {
-        return mentions(style->condition, "age") ||
-               std::any_of(style->properties.begin(), style->properties.end(),
-                           [](const StyleProperty& property) { return mentions(property.value, "age"); });
-    });
-}
-
 TurtleSettings turtle_settings(const DrawRules& rules, std::uint32_t iteration, const Settings& settings,
                                const Document& document, Diagnostics& problems) {
     TurtleSettings turtle = rules.turtle;
@@ -479,6 +391,8 @@ TurtleSettings turtle_settings(const DrawRules& rules, std::uint32_t iteration, 
     turtle.formula = [&rules, iteration, &settings, &document, &problems](const AngleFacts& facts) {
         Scope scope;
         scope.outer = &settings.globals;
+        const auto bare = [](double value) { return Value{Quantity{value}, {}}; };
+        const auto length_value = [](double px) { return Value{Quantity{px, 1, false}, {}}; };
         scope.names = {{"k", bare(static_cast<double>(facts.k))},
                        {"t", bare(iteration)},
                        {"depth", bare(static_cast<double>(facts.depth))},

@@ -1,8 +1,7 @@
 // Drawing a word: the turtle's lines, polygons and placed shapes, in the order of the word.
 //
 // A line goes on as long as the pen stays down and its look stays the same, so that a plotter draws it without lifting.
-// `style a { ... }` is of the letter a; polygons have the style of the letter that begins them. Without a style, lines
-// are as wide as the turtle says, in ink or in its colour.
+// Words that leave the wall, and those with a `view`, are seen in space (scene/solid_view.h).
 #pragma once
 
 #include <cstdint>
@@ -11,7 +10,7 @@
 #include "base/job.h"
 #include "base/result.h"
 #include "engines/rewriting/derive.h"
-#include "engines/rewriting/draw_rules.h"
+#include "engines/rewriting/word_styles.h"
 #include "language/settings.h"
 #include "scene/drawing.h"
 
@@ -33,16 +32,16 @@ struct PagePlace {
 
 struct Picture {
     Drawing drawing;
-    // Of each shape of the drawing: which symbol of the word it begins with. Empty where all are lines and no one knows.
+    // Of each shape of the drawing: which symbol of the word it begins with. Empty where all are lines and no one
+    // knows.
     std::vector<std::uint64_t> symbols;
     PagePlace place;
+    bool is_in_space = false;  // seen from `view`: `place` means nothing then
 };
 
 // `word` must have ages where a style or the formula asks for them (asks_for_ages).
 Result<Picture> draw(const Derivation& derivation, const DrawRules& rules, const Settings& settings,
                      const Document& document, const DrawOptions& options);
-
-bool asks_for_ages(const DrawRules& rules, const Settings& settings);
 
 // The turtle's settings, with the document's formula in them. What goes wrong in it is told in `problems`, which the
 // result points to, as it does to all arguments.

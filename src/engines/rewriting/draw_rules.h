@@ -9,6 +9,7 @@
 #include "derivation/shape_source.h"
 #include "engines/rewriting/turtle.h"
 #include "language/settings.h"
+#include "space/view.h"
 
 namespace filigree::rewriting {
 
@@ -18,17 +19,13 @@ struct PlacedForm {
     SourceSpan span;
 };
 
-// From where words in space are seen: degrees about the vertical, and above the horizon.
-struct View {
-    double azimuth = 30, elevation = 25;
-};
-
 struct DrawRules {
     TurtleSettings turtle;
     ExpressionPtr formula;          // degrees of a `?`, of k, t, depth, age, x, y and z; null: turtle.angles
     std::vector<PlacedForm> forms;  // by the number that is the shape's name in turtle.letters
     std::vector<Colour> colours;    // by the turtle's colour, over and over; none: ink
     std::optional<View> view;       // none: words that stay in the wall are drawn as they are
+    std::uint32_t tubes = 0;        // sides of lines in space; 0: they are lines
     bool has_own_step = false;      // else a page scales the drawing to its size
 };
 

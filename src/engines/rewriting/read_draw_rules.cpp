@@ -114,6 +114,8 @@ private:
             rules_.has_own_step = true;
         } else if (name == "width") {
             turtle.width = length(value, 0);
+        } else if (name == "tubes") {
+            rules_.tubes = static_cast<std::uint32_t>(values_.whole_of(value, 3, 64).value_or(3));
         } else if (name == "widening") {
             const std::optional<double> ratio = values_.number_of(value);
             if (ratio && !(*ratio >= 0.01 && *ratio <= 100)) {
@@ -199,7 +201,9 @@ private:
             values_.report(error("rewriting.out-of-range", "expected an elevation from -90 to 90 degrees",
                                  setting.values[1]->span));
         }
-        rules_.view = View{*azimuth, *elevation};
+        rules_.view.emplace();
+        rules_.view->azimuth = *azimuth;
+        rules_.view->elevation = *elevation;
     }
 
     const Settings& settings_;

@@ -1,0 +1,114 @@
+#include "engines/rewriting/word_solid.h"
+
+#include <algorithm>
+#include <string>
+
+#include "language/form_value.h"
+#include "space/solids.h"
+
+namespace filigree::rewriting {
+namespace {
+
+class Builder {
+public:
+    Builder(const Derivation& derivation, const TurtleDrawing& turtled, const DrawRules& rules,
+            const std::vector<Polygons>& forms, WordStyles& styles)
+        : derivation_(derivation), turtled_(turtled), rules_(rules), forms_(forms), styles_(styles) {}
+
+    Result<WordSolid> run() {
+        for (const TurtleSegment& segment : turtled_.segments) add(segment);
+        for (const TurtlePolygon& polygon : turtled_.polygons) add(polygon);
+        for (const TurtleShape& shape : turtled_.shapes) add(shape);
+        if (!styles_.errors.empty()) return styles_.errors;
+        return std::move(made_);
+    }
+
+private:
+    MeshOrigin origin_of(Drawn kind, std::uint64_t place, const Style& style) {
+        const Key key = styles_.key_of(place);
+        made_.symbols.emplace(key.value, place);
+        Material material;
+        material.name = to_utf8(std::u32string(1, derivation_.alphabet[derivation_.word.symbols[place]].letter));
+        material.edge.reset();
+        if (kind == Drawn::line) {
+            material.fill = style.stroke.value_or(material.fill);
+            if (rules_.tubes > 0) material.edge = Material{}.edge;
+        } else {
+            material.fill = style.fill.value_or(material.fill);
+            if (has_stroke(style)) material.edge = style.stroke;
+            material.pen = style.pen;
+        }
+        return {key, number_of_material(material)};
+    }
+    std::uint32_t number_of_material(const Material& material) {
+        std::vector<Material>& all = made_.materials;
+        if (last_ < all.size() && all[last_] == material) return last_;
+        const auto found = std::find(all.begin(), all.end(), material);
+        last_ = static_cast<std::uint32_t>(found - all.begin());
+        if (found == all.end()) all.push_back(material);
+        return last_;
+    }
+
+    void add(const TurtleSegment& segment) {
+        const Style style =
+            styles_.look_of(Drawn::line, {segment.symbol, segment.width, segment.colour, segment.from}).style;
+        if (!has_stroke(style)) return;
+        const MeshOrigin origin = origin_of(Drawn::line, segment.symbol, style);
+        if (rules_.tubes > 0) {
+            add_prism(made_.mesh, segment.from, segment.to, segment.frame, style.pen / 2, rules_.tubes, origin);
+        } else {
+            const Vec3 ends[] = {segment.from, segment.to};
+            add_line(made_.mesh, ends, style.pen, origin);
+        }
+    }
+
+    void add(const TurtlePolygon& polygon) {
+        const Vec3* const corners = turtled_.corners.data() + polygon.first;
+        const Style style =
+            styles_.look_of(Drawn::face, {polygon.symbol, polygon.width, polygon.colour, *corners}).style;
+        if (!style.fill && !has_stroke(style)) return;
+        add_sheet(made_.mesh, {corners, corners + polygon.count}, origin_of(Drawn::face, polygon.symbol, style));
+    }
+
+    void add(const TurtleShape& shape) {
+        const Style style =
+            styles_.look_of(Drawn::face, {shape.symbol, shape.width, shape.colour, shape.position}).style;
+        if (!style.fill && !has_stroke(style)) return;
+        const auto number = static_cast<std::size_t>(std::stoul(turtled_.shape_names[shape.name]));
+        const SymbolicCall& form = rules_.forms[number].form;
+        const MeshOrigin origin = origin_of(Drawn::face, shape.symbol, style);
+        if (form.name == "box") {
+            const auto size = [&](const char* name) { return shape.scale * number_of(form, name); };
+            const Vec3 end = shape.position + size("length") * shape.frame.heading;
+            add_box(made_.mesh, shape.position, end, shape.frame, size("breadth"), size("height"), origin);
+            return;
+        }
+        // The form's y goes to the right of who looks along the heading.
+        const Vec3 along = shape.scale * shape.frame.heading, across = -shape.scale * shape.frame.left;
+        for (std::size_t i = 0; i < forms_[number].size(); ++i) {
+            std::vector<Vec3> ring;
+            for (const Point p : forms_[number][i].outer()) {
+                const Vec at = to_px(p);
+                ring.push_back(shape.position + at.x * along + at.y * across);
+            }
+            add_sheet(made_.mesh, ring, origin);
+        }
+    }
+
+    const Derivation& derivation_;
+    const TurtleDrawing& turtled_;
+    const DrawRules& rules_;
+    const std::vector<Polygons>& forms_;
+    WordStyles& styles_;
+    WordSolid made_;
+    std::uint32_t last_ = 0;
+};
+
+}  // namespace
+
+Result<WordSolid> word_solid(const Derivation& derivation, const TurtleDrawing& turtled, const DrawRules& rules,
+                             const std::vector<Polygons>& forms, WordStyles& styles) {
+    return Builder(derivation, turtled, rules, forms, styles).run();
+}
+
+}  // namespace filigree::rewriting
