@@ -36,13 +36,16 @@ bool is_known_format(const fs::path& output) {
     return ending == ".svg" || ending == ".pdf" || ending == ".png";
 }
 
-Diagnostics unknown_formats(const std::vector<fs::path>& outputs) {
+bool is_mesh_format(const fs::path& output) { return ending_of(output) == ".obj"; }
+fs::path materials_beside(const fs::path& output) { return fs::path(output).replace_extension(".mtl"); }
+
+Diagnostics unknown_formats(const std::vector<fs::path>& outputs, bool takes_meshes) {
     Diagnostics problems;
     for (const fs::path& output : outputs) {
-        if (is_known_format(output)) continue;
-        problems.push_back(usage_error("render.unknown-format",
-                                       "'" + output.string() + "' has an ending that is no known format",
-                                       {"known are .svg, .pdf and .png"}));
+        if (is_known_format(output) || (takes_meshes && is_mesh_format(output))) continue;
+        problems.push_back(usage_error(
+            "render.unknown-format", "'" + output.string() + "' has an ending that is no known format",
+            {takes_meshes ? "known are .svg, .pdf, .png and, of words, .obj" : "known are .svg, .pdf and .png"}));
     }
     return problems;
 }

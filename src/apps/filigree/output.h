@@ -13,8 +13,11 @@ namespace filigree {
 
 // Whether the ending is one of a drawing's formats: .svg, .pdf, .png.
 bool is_known_format(const std::filesystem::path& output);
-// Errors for endings that are no known format of a drawing.
-Diagnostics unknown_formats(const std::vector<std::filesystem::path>& outputs);
+// Whether it is that of a mesh, which has a file of materials beside it: .obj.
+bool is_mesh_format(const std::filesystem::path& output);
+std::filesystem::path materials_beside(const std::filesystem::path& output);
+// Errors for endings that are neither.
+Diagnostics unknown_formats(const std::vector<std::filesystem::path>& outputs, bool takes_meshes = false);
 // For targets that are given twice.
 Diagnostics same_outputs(const std::vector<std::filesystem::path>& targets);
 // For targets that are read: a document and what it reads are never overwritten by what they make.

@@ -10,6 +10,7 @@
 #include "formats/files.h"
 #include "session/run.h"
 #include "session/stats.h"
+#include "session/word_obj.h"
 
 namespace filigree {
 namespace fs = std::filesystem;
@@ -17,6 +18,9 @@ namespace {
 
 std::vector<fs::path> targets_of(const RenderCommand& command) {
     std::vector<fs::path> targets = command.outputs;
+    for (const fs::path& output : command.outputs) {
+        if (is_mesh_format(output)) targets.push_back(materials_beside(output));
+    }
     if (!command.stats.empty()) targets.push_back(command.stats);
     return targets;
 }
@@ -72,9 +76,23 @@ Outcome render_once(const RenderCommand& command, Executor& executor, const Job&
     for (const fs::path& output : command.outputs) {
         if (is_cancelled(job)) return {print_diagnostics({cancelled_diagnostic()}, {}), read};
         report(job, "write", -1);
-        Result<std::string> bytes =
-            encoded(run->drawing, output,
-                    {command.dpi, command.lean, &document, fs::path(opened->name).stem().string()});
+        if (is_mesh_format(output)) {
+            if (!run->word) {
+                return {print_diagnostics(
+                            {fault(Fault::usage, "render.no-mesh",
+                                   "only words are drawn in space, so '" + output.string() + "' cannot be written")},
+                            {}),
+                        read};
+            }
+            const fs::path materials = materials_beside(output);
+            Result<ObjFiles> mesh = word_obj(*opened, checked, *run->word, materials.filename().string());
+            if (!mesh) return {print_diagnostics(mesh.diagnostics(), sources), read};
+            files.push_back({output, std::move(mesh->obj)});
+            files.push_back({materials, std::move(mesh->mtl)});
+            continue;
+        }
+        Result<std::string> bytes = encoded(
+            run->drawing, output, {command.dpi, command.lean, &document, fs::path(opened->name).stem().string()});
         if (!bytes) return {print_diagnostics(bytes.diagnostics(), {}), read};
         files.push_back({output, std::move(*bytes)});
     }
@@ -121,7 +139,7 @@ int watch(const RenderCommand& command, Executor& executor, const Job& job) {
 }  // namespace
 
 int run_render(const RenderCommand& command) {
-    Diagnostics problems = unknown_formats(command.outputs);
+    Diagnostics problems = unknown_formats(command.outputs, true);
     append(problems, same_outputs(targets_of(command)));
     if (!problems.empty()) return print_diagnostics(problems, {});
     const std::unique_ptr<Executor> executor = make_executor(command.threads);

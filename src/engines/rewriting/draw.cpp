@@ -48,12 +48,17 @@ public:
             if (!flat) return flat.diagnostics();
             if (*flat) return draw_flat(**flat, *common);
         }
-        const Result<TurtleDrawing> turtled =
-            turtle_drawing(word_, derivation_.alphabet, turtle, settings_.limits.elements);
+        const Result<TurtleDrawing> turtled = drawn_by_turtle(turtle, problems);
         if (!turtled) return turtled.diagnostics();
-        if (!problems.empty()) return problems;
-        if (!read_forms()) return errors_;
         return rules_.view || leaves_wall(*turtled) ? draw_in_space(*turtled) : draw_in_wall(*turtled);
+    }
+
+    Result<WordSolid> solid() {
+        Diagnostics problems;
+        const TurtleSettings turtle = turtle_settings(rules_, derivation_.iteration, settings_, document_, problems);
+        const Result<TurtleDrawing> turtled = drawn_by_turtle(turtle, problems);
+        if (!turtled) return turtled.diagnostics();
+        return word_solid(derivation_, *turtled, rules_, forms_, styles_);
     }
 
 private:
@@ -65,6 +70,15 @@ private:
         last_style_ = static_cast<std::uint32_t>(found - picture_.drawing.styles.begin());
         if (found == picture_.drawing.styles.end()) picture_.drawing.styles.push_back(style);
         return last_style_;
+    }
+
+    // With the forms that it places.
+    Result<TurtleDrawing> drawn_by_turtle(const TurtleSettings& turtle, const Diagnostics& problems) {
+        Result<TurtleDrawing> turtled = turtle_drawing(word_, derivation_.alphabet, turtle, settings_.limits.elements);
+        if (!turtled) return turtled;
+        if (!problems.empty()) return problems;
+        if (!read_forms()) return errors_;
+        return turtled;
     }
 
     // --- what letters place ---
@@ -417,6 +431,13 @@ Result<Picture> draw(const Derivation& derivation, const DrawRules& rules, const
     Result<StyleSheet> sheet = read_styles(settings, document);
     if (!sheet) return sheet.diagnostics();
     return WordDrawer(derivation, rules, settings, document, std::move(*sheet), options).run();
+}
+
+Result<WordSolid> draw_solid(const Derivation& derivation, const DrawRules& rules, const Settings& settings,
+                             const Document& document, const DrawOptions& options) {
+    Result<StyleSheet> sheet = read_styles(settings, document);
+    if (!sheet) return sheet.diagnostics();
+    return WordDrawer(derivation, rules, settings, document, std::move(*sheet), options).solid();
 }
 
 }  // namespace filigree::rewriting

@@ -10,6 +10,7 @@
 #include "base/job.h"
 #include "base/result.h"
 #include "engines/rewriting/derive.h"
+#include "engines/rewriting/word_solid.h"
 #include "engines/rewriting/word_styles.h"
 #include "language/settings.h"
 #include "scene/drawing.h"
@@ -42,6 +43,10 @@ struct Picture {
 // `word` must have ages where a style or the formula asks for them (asks_for_ages).
 Result<Picture> draw(const Derivation& derivation, const DrawRules& rules, const Settings& settings,
                      const Document& document, const DrawOptions& options);
+
+// The same as solids, sheets and lines in space, whether or not it leaves the wall.
+Result<WordSolid> draw_solid(const Derivation& derivation, const DrawRules& rules, const Settings& settings,
+                             const Document& document, const DrawOptions& options);
 
 // The turtle's settings, with the document's formula in them. What goes wrong in it is told in `problems`, which the
 // result points to, as it does to all arguments.

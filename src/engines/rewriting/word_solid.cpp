@@ -24,21 +24,19 @@ public:
     }
 
 private:
-    MeshOrigin origin_of(Drawn kind, std::uint64_t place, const Style& style) {
+    MeshOrigin origin_of(std::uint64_t place, const Material& material) {
         const Key key = styles_.key_of(place);
         made_.symbols.emplace(key.value, place);
+        Material named = material;
+        named.name = to_utf8(std::u32string(1, derivation_.alphabet[derivation_.word.symbols[place]].letter));
+        return {key, number_of_material(named)};
+    }
+    static Material solid_material(const Style& style) {
         Material material;
-        material.name = to_utf8(std::u32string(1, derivation_.alphabet[derivation_.word.symbols[place]].letter));
-        material.edge.reset();
-        if (kind == Drawn::line) {
-            material.fill = style.stroke.value_or(material.fill);
-            if (rules_.tubes > 0) material.edge = Material{}.edge;
-        } else {
-            material.fill = style.fill.value_or(material.fill);
-            if (has_stroke(style)) material.edge = style.stroke;
-            material.pen = style.pen;
-        }
-        return {key, number_of_material(material)};
+        material.fill = style.fill.value_or(material.fill);
+        material.edge = has_stroke(style) ? style.stroke : std::nullopt;
+        material.pen = style.pen;
+        return material;
     }
     std::uint32_t number_of_material(const Material& material) {
         std::vector<Material>& all = made_.materials;
@@ -50,33 +48,38 @@ private:
     }
 
     void add(const TurtleSegment& segment) {
-        const Style style =
-            styles_.look_of(Drawn::line, {segment.symbol, segment.width, segment.colour, segment.from}).style;
-        if (!has_stroke(style)) return;
-        const MeshOrigin origin = origin_of(Drawn::line, segment.symbol, style);
+        const DrawnSymbol symbol{segment.symbol, segment.width, segment.colour, segment.from};
+        const Style line = styles_.look_of(Drawn::line, symbol).style;
+        if (!has_stroke(line)) return;
         if (rules_.tubes > 0) {
-            add_prism(made_.mesh, segment.from, segment.to, segment.frame, style.pen / 2, rules_.tubes, origin);
-        } else {
-            const Vec3 ends[] = {segment.from, segment.to};
-            add_line(made_.mesh, ends, style.pen, origin);
+            Material material = solid_material(styles_.look_of(Drawn::tube, symbol).style);
+            material.pen = Material{}.pen;  // the line's own is how thick it is
+            add_prism(made_.mesh, segment.from, segment.to, segment.frame, line.pen / 2, rules_.tubes,
+                      origin_of(segment.symbol, material));
+            return;
         }
+        Material material;
+        material.fill = *line.stroke;
+        material.edge.reset();
+        const Vec3 ends[] = {segment.from, segment.to};
+        add_line(made_.mesh, ends, line.pen, origin_of(segment.symbol, material));
     }
 
     void add(const TurtlePolygon& polygon) {
         const Vec3* const corners = turtled_.corners.data() + polygon.first;
         const Style style =
-            styles_.look_of(Drawn::face, {polygon.symbol, polygon.width, polygon.colour, *corners}).style;
+            styles_.look_of(Drawn::solid, {polygon.symbol, polygon.width, polygon.colour, *corners}).style;
         if (!style.fill && !has_stroke(style)) return;
-        add_sheet(made_.mesh, {corners, corners + polygon.count}, origin_of(Drawn::face, polygon.symbol, style));
+        add_sheet(made_.mesh, {corners, corners + polygon.count}, origin_of(polygon.symbol, solid_material(style)));
     }
 
     void add(const TurtleShape& shape) {
         const Style style =
-            styles_.look_of(Drawn::face, {shape.symbol, shape.width, shape.colour, shape.position}).style;
+            styles_.look_of(Drawn::solid, {shape.symbol, shape.width, shape.colour, shape.position}).style;
         if (!style.fill && !has_stroke(style)) return;
         const auto number = static_cast<std::size_t>(std::stoul(turtled_.shape_names[shape.name]));
         const SymbolicCall& form = rules_.forms[number].form;
-        const MeshOrigin origin = origin_of(Drawn::face, shape.symbol, style);
+        const MeshOrigin origin = origin_of(shape.symbol, solid_material(style));
         if (form.name == "box") {
             const auto size = [&](const char* name) { return shape.scale * number_of(form, name); };
             const Vec3 end = shape.position + size("length") * shape.frame.heading;

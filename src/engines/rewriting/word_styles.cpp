@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "language/walk.h"
+#include "space/mesh.h"
 
 namespace filigree::rewriting {
 namespace {
@@ -49,10 +50,21 @@ Look WordStyles::look_of(Drawn kind, double width, std::int64_t colour, const St
     style.stroke = colour_of(colour);
     style.is_open = kind == Drawn::line;
     if (kind == Drawn::face) style.fill = rules_.colours.empty() ? paper : colour_of(colour);
+    const bool is_solid = kind == Drawn::solid || kind == Drawn::tube;
+    if (is_solid) {
+        const Material usual;
+        style.fill = rules_.colours.empty() ? usual.fill : colour_of(colour);
+        style.stroke = usual.edge;
+        style.pen = usual.pen;
+    }
     if (over.fill) style.fill = *over.fill;
     if (over.stroke) style.stroke = *over.stroke;
     if (over.pen) style.pen = *over.pen;
     if (over.corner) style.corner = *over.corner;
+    if (kind == Drawn::tube && !over.fill && over.stroke) {
+        style.fill = *over.stroke;
+        style.stroke = Material{}.edge;
+    }
     look.is_by_hand = kind == Drawn::line && over.line == LineQuality::drawn;
     return look;
 }

@@ -15,7 +15,12 @@
 
 namespace filigree::rewriting {
 
-enum class Drawn : std::uint8_t { line, face };
+enum class Drawn : std::uint8_t {
+    line,
+    face,
+    solid,  // a face in space, with thin edges
+    tube,   // a line in space that is a solid: filled in what is said of its stroke
+};
 
 struct Look {
     Style style;
