@@ -36,6 +36,43 @@ TEST(Rewriting, LongWordsAreAskedWithoutMakingThem) {
     EXPECT_EQ(derived(koch, "--slice x").substr(0, 2), "2 ");
 }
 
+TEST(Rewriting, ExplainsASymbol) {
+    const std::string grammar =
+        "grammar rewriting\naxiom \"ba[a=]c\"\niterations 2\na@1 -> \"ab\"\nc < a -> \"x\"\na > \"[c]\" -> \"d\"\n"
+        "a -> \"y\" when age > 3 && depth < 2\na@5..7 -> \"z\"\nb -> \"ba\"\na -> \"aa\" when index > 0\n";
+    EXPECT_EQ(derived(grammar, "--steps 1"), "baab[a]c\n");
+    const TestFolder folder;
+    const std::string file = folder.write("a.fil", grammar);
+    const Ran ran = run_program("derive " + file + " --steps 1 --explain 2");
+    const auto at = [&](int line) { return file + ":" + std::to_string(line) + ": "; };
+    EXPECT_EQ(ran.out, "iteration 0: a at 1, of the axiom\niteration 1: a at 2, put by " + at(4) +
+                           "a@1 -> \"ab\"\niteration 2: it becomes \"aa\"\n"
+                           "  " +
+                           at(4) +
+                           "a@1 -> \"ab\"\n    serves iteration 1, and this is 2\n"
+                           "  " +
+                           at(5) +
+                           "c < a -> \"x\"\n    'c' does not stand before it, but 'a'\n"
+                           "  " +
+                           at(6) +
+                           "a > \"[c]\" -> \"d\"\n    '[c]' does not stand behind it, but 'b[a'\n"
+                           "  " +
+                           at(7) +
+                           "a -> \"y\" when age > 3 && depth < 2\n"
+                           "    its condition does not hold: age = 1, depth = 0\n"
+                           "  " +
+                           at(8) +
+                           "a@5..7 -> \"z\"\n    serves iterations 5..7, and this is 2\n"
+                           "  " +
+                           at(10) + "a -> \"aa\" when index > 0\n    applies\n");
+    const std::string json = derived(grammar, "--steps 0 --explain 3 --format json");
+    EXPECT_NE(json.find("\"turns\": 1,\n      \"then\": \"asleep\",\n      \"rule\": null"), std::string::npos) << json;
+    EXPECT_NE(json.find("\"becomes\": \"a\""), std::string::npos) << json;
+    EXPECT_NE(json.find("\"verdict\": \"applies\""), std::string::npos) << json << "were it awake";
+    EXPECT_EQ(derived(grammar, "--steps 1 --explain 9").substr(0, 2), "2 ");
+    EXPECT_EQ(derived("grammar tangle\nstart a = circle(50)\n", "--explain 0").substr(0, 2), "2 ");
+}
+
 TEST(Rewriting, WordsAreDrawnInEveryFormat) {
     const TestFolder folder;
     const std::string words = folder.write("a.fil", koch);

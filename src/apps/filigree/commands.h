@@ -44,8 +44,9 @@ struct DeriveCommand {
     std::optional<std::uint64_t> steps;
     std::size_t threads = 0;
     bool json = false;
-    bool length = false, counts = false;  // of a word, without making it
-    std::string slice;                    // FIRST:COUNT, likewise
+    bool length = false, counts = false;   // of a word, without making it
+    std::string slice;                     // FIRST:COUNT, likewise
+    std::optional<std::uint64_t> explain;  // the position of a symbol in a word
 };
 int run_derive(const DeriveCommand& command);
 

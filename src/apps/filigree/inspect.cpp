@@ -5,6 +5,7 @@
 #include "apps/filigree/terminal.h"
 #include "base/number_text.h"
 #include "session/describe.h"
+#include "session/explain_word.h"
 #include "session/list_steps.h"
 #include "session/list_word.h"
 #include "session/run.h"
@@ -49,12 +50,14 @@ int run_derive(const DeriveCommand& command) {
     const Sources& sources = opened->sources;
     const CheckedDocument checked = check_document(*opened);
     if (const int status = print_diagnostics(checked.diagnostics, sources); status != 0) return status;
-    const bool asks = command.length || command.counts || !command.slice.empty();
+    const bool asks = command.length || command.counts || !command.slice.empty() || command.explain;
     if (asks && !checked.words) {
         return print_diagnostics({fault(Fault::usage, "derive.no-word", "this document derives no word")}, {});
     }
     if (asks) {
-        const Result<std::string> answered = answer(*opened, checked, command.steps, question_of(command));
+        const Result<std::string> answered =
+            command.explain ? explain_word(*opened, checked, command.steps, *command.explain, command.json, job)
+                            : answer(*opened, checked, command.steps, question_of(command));
         if (answered) std::cout << *answered;
         return print_diagnostics(answered.diagnostics(), sources);
     }

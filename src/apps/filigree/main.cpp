@@ -128,9 +128,9 @@ void add_derive(CLI::App& app, Run& run) {
     struct Options {
         filigree::DeriveCommand command;
         OpenFlags flags;
-        std::uint64_t steps = 0;
+        std::uint64_t steps = 0, position = 0;
         std::string format = "text";
-        CLI::Option* steps_option = nullptr;
+        CLI::Option *steps_option = nullptr, *explain_option = nullptr;
     };
     const auto options = std::make_shared<Options>();
     CLI::App& command = *app.add_subcommand("derive", "list the steps of a derivation, or print its word");
@@ -144,9 +144,13 @@ void add_derive(CLI::App& app, Run& run) {
     command.add_flag("--length", options->command.length, "of a word: its length, without making it");
     command.add_flag("--counts", options->command.counts, "of a word: how many there are of each symbol, likewise");
     command.add_option("--slice", options->command.slice, "of a word: FIRST:COUNT, symbols from a place on, likewise");
+    options->explain_option =
+        command.add_option("--explain", options->position,
+                           "of a word: why the symbol at this position, from 0 and without '=', is what it is");
     when_chosen<Options>(command, run, options, [](Options& given) -> Run {
         given.command.open = open_options(given.flags);
         if (given.steps_option->count() > 0) given.command.steps = given.steps;
+        if (given.explain_option->count() > 0) given.command.explain = given.position;
         given.command.json = given.format == "json";
         return [&given] { return filigree::run_derive(given.command); };
     });

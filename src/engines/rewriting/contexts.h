@@ -6,6 +6,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,6 +25,12 @@ public:
     bool has_left(std::size_t place, std::u32string_view pattern, std::u32string_view ignored) const;
     bool has_right(std::size_t place, std::u32string_view pattern, std::u32string_view ignored) const;
 
+    // What stands there instead, as letters in the word's order: up to so many, fewer where the way ends.
+    std::u32string letters_left(std::size_t place, std::size_t most, std::u32string_view ignored) const;
+    std::u32string letters_right(std::size_t place, std::size_t most, std::u32string_view ignored) const;
+    // All that stands behind it but '=', branches and all.
+    std::u32string letters_behind(std::size_t place, std::size_t most) const;
+
 private:
     static constexpr std::uint32_t none = UINT32_MAX;
 
@@ -30,8 +38,10 @@ private:
     bool is_passed(char32_t letter, std::u32string_view ignored) const {
         return letter == U'=' || ignored.find(letter) != std::u32string_view::npos;
     }
-    bool begins_with(std::size_t from, std::size_t end, std::u32string_view pattern, std::u32string_view ignored,
-                     int depth) const;
+    // The nearest symbol along the way before a place, or from a place on; none where the way ends.
+    std::optional<std::size_t> before(std::size_t place, std::u32string_view ignored) const;
+    std::optional<std::size_t> from(std::size_t place, std::u32string_view ignored) const;
+    bool begins_with(std::size_t place, std::u32string_view pattern, std::u32string_view ignored, int depth) const;
 
     const Word& word_;
     const Alphabet& alphabet_;

@@ -169,9 +169,31 @@ private:
     std::uint64_t children_ = 0;
 };
 
+// Writes who puts each symbol, '=' left out.
+struct Tracing {
+    static constexpr bool is_quick = false;
+    std::vector<std::uint32_t>& parents;
+    std::size_t index = 0;
+
+    void put(const Symbol* symbols, std::uint64_t count, std::size_t place) { put_times(symbols, count, 1, place, 0); }
+    void put_times(const Symbol* symbols, std::uint64_t count, std::uint64_t times, std::size_t, std::uint32_t) {
+        add(static_cast<std::uint64_t>(std::count_if(symbols, symbols + count, is_no_freeze)) * times);
+    }
+    void copy_all(const Word& word, std::size_t) {
+        add(static_cast<std::uint64_t>(std::count_if(word.symbols.begin(), word.symbols.end(), is_no_freeze)));
+    }
+    void keep(const Word&, std::size_t, std::size_t) { add(1); }
+    void repeat(Symbol, std::uint64_t count) { add(count); }
+
+private:
+    static bool is_no_freeze(Symbol symbol) { return symbol != Alphabet::freeze; }
+    void add(std::uint64_t count) { parents.insert(parents.end(), count, static_cast<std::uint32_t>(index)); }
+};
+
 template <class Out>
 void tell_place(Out&, std::size_t) {}
 void tell_place(WritingColumns& out, std::size_t index) { out.at(index); }
+void tell_place(Tracing& out, std::size_t index) { out.index = index; }
 
 // Rewrites the whole word. q and g: only the last of a run can be frozen, which ends the run and holds it.
 template <class Out>
@@ -406,7 +428,7 @@ Result<Derivation> begin(const Grammar& grammar, const DeriveOptions& options, s
 }
 
 std::optional<Diagnostic> step(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options,
-                               const Job& job) {
+                               const Job& job, std::vector<std::uint32_t>* parents) {
     // All but the word is copied, so that an error can leave it as it was.
     Word word = std::move(derivation.word);
     Derivation next = derivation;
@@ -427,6 +449,11 @@ std::optional<Diagnostic> step(Derivation& derivation, const Grammar& grammar, c
     if (is_cancelled(job)) return give_up(cancelled_diagnostic());
     Word made = rewritten(next.word, next.alphabet, *plan, quick, counting.symbols, grammar.ages);
     drop_leading_freezes(made.symbols);
+    if (parents != nullptr) {
+        parents->clear();
+        Tracing tracing{*parents};
+        rewrite(next.word, next.alphabet, *plan, quick, tracing);
+    }
     next.word = std::move(made);
     derivation = std::move(next);
     return std::nullopt;

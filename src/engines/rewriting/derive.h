@@ -59,9 +59,10 @@ struct Derivation {
 // The axiom, of the document's own system or of another.
 Result<Derivation> begin(const Grammar& grammar, const DeriveOptions& options, std::uint32_t system = 0);
 
-// One iteration more; what went wrong, if anything did.
+// One iteration more; what went wrong, if anything did. `parents`, where it is given, gets an entry for each symbol of
+// the new word that is no '=': the index of the symbol that put it, counted likewise.
 std::optional<Diagnostic> step(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options,
-                               const Job& job);
+                               const Job& job, std::vector<std::uint32_t>* parents = nullptr);
 
 // The symbols of letters that one system reads: an inverter is known by what stands before it. None where there are
 // too many symbols.

@@ -2,7 +2,7 @@
 // string-substitution rewriting systems").
 //
 // Letters, not symbols: which symbol a letter is depends on where it stands, and that is decided when the grammar is
-// prepared for deriving (program.h). The system with index 0 is the document's own; the others are its subsystems.
+// prepared for deriving (derive.h). The system with index 0 is the document's own; the others are its subsystems.
 #pragma once
 
 #include <cstdint>

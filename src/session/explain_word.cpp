@@ -1,0 +1,225 @@
+#include "session/explain_word.h"
+
+#include <nlohmann/json.hpp>
+
+#include "base/number_text.h"
+#include "engines/rewriting/explain.h"
+#include "engines/rewriting/symbols.h"
+
+namespace filigree {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using rewriting::Fate;
+using rewriting::Rule;
+using rewriting::RuleTrial;
+using rewriting::SymbolMoment;
+using rewriting::Verdict;
+
+std::string letter_text(char32_t letter) { return rewriting::to_utf8(std::u32string(1, letter)); }
+std::string quoted(const std::u32string& letters) { return "'" + rewriting::to_utf8(letters) + "'"; }
+
+// Each as one word and as the end of a sentence about the symbol.
+struct FateText {
+    std::string_view name, text;
+};
+FateText text_of(Fate fate) {
+    switch (fate) {
+        case Fate::rewritten:
+            return {"rewritten", "rewritten"};
+        case Fate::kept:
+            return {"kept", "kept, since no rule applies"};
+        case Fate::asleep:
+            return {"asleep", "kept, since it sleeps"};
+        case Fate::at_rest:
+            return {"at-rest", "kept, since the iterations of its system are over"};
+        case Fate::counted:
+            return {"counted", "counted with its run"};
+        case Fate::inverted:
+            return {"inverter", "what makes the run before it shrink"};
+        case Fate::repeated:
+            return {"repeated", "replaced by the whole word"};
+        case Fate::drawn:
+            return {"drawn", "replaced by letters at random"};
+        case Fate::recalled:
+            return {"recalled", "replaced by letters drawn before"};
+        case Fate::grown:
+            return {"grown", "replaced by the word of its system"};
+    }
+    return {};
+}
+
+std::string_view name_of(const RuleTrial& trial) {
+    if (!trial.verdict) return "not-tried";
+    switch (*trial.verdict) {
+        case Verdict::applies:
+            return "applies";
+        case Verdict::other_iteration:
+            return "other-iteration";
+        case Verdict::other_row:
+            return "other-row";
+        case Verdict::no_left:
+            return "no-left-context";
+        case Verdict::no_right:
+            return "no-right-context";
+        case Verdict::does_not_hold:
+            return "condition-is-false";
+    }
+    return "";
+}
+
+std::string place_of(const OpenedDocument& opened, SourceSpan span) {
+    const SourceFile& source = opened.document.sources[span.file];
+    return source.name + ":" + to_text(std::uint64_t{line_column(source.text, span.begin).line});
+}
+
+// As the document has it, without what follows its first line.
+std::string rule_text(const OpenedDocument& opened, const Rule& rule) {
+    const std::string& text = opened.document.sources[rule.span.file].text;
+    const std::string all = text.substr(rule.span.begin, rule.span.end - rule.span.begin);
+    return all.substr(0, all.find('\n'));
+}
+
+std::string instead(const RuleTrial& trial, const std::u32string& wanted, std::string_view where) {
+    return quoted(wanted) + " does not stand " + std::string(where) + " it, but " +
+           (trial.found.empty() ? "nothing" : quoted(trial.found));
+}
+
+std::string iterations_text(const Rule& rule) {
+    if (rule.first == rule.last) return "iteration " + std::to_string(rule.first);
+    return "iterations " + std::to_string(rule.first) + ".." + std::to_string(rule.last);
+}
+
+std::string values_text(const RuleTrial& trial) {
+    std::string text;
+    for (const auto& [name, value] : trial.values) text += (text.empty() ? "" : ", ") + name + " = " + to_text(value);
+    return text;
+}
+
+std::string reason(const RuleTrial& trial, const SymbolMoment& moment) {
+    if (!trial.verdict) return "not tried, since a rule before it applies";
+    switch (*trial.verdict) {
+        case Verdict::applies: {
+            if (!trial.drawn) return "applies";
+            std::string weights;
+            for (const double weight : trial.weights) weights += (weights.empty() ? "" : ", ") + to_text(weight);
+            const std::string drawn = *trial.drawn == trial.weights.size()
+                                          ? "none of its successors can be drawn"
+                                          : "successor " + std::to_string(*trial.drawn + 1) + " of " +
+                                                std::to_string(trial.weights.size()) + " is drawn";
+            return "applies; " + drawn + ", by the weights " + weights;
+        }
+        case Verdict::other_iteration:
+            return "serves " + iterations_text(*trial.rule) + ", and this is " + std::to_string(moment.clock);
+        case Verdict::other_row: {
+            if (!moment.row || moment.row->row >= moment.trials.size()) return "the rows of this letter are over";
+            return "row " + std::to_string(moment.row->row + 1) + " of this letter serves this iteration";
+        }
+        case Verdict::no_left:
+            return instead(trial, trial.rule->left, "before");
+        case Verdict::no_right:
+            return instead(trial, trial.rule->right, "behind");
+        case Verdict::does_not_hold:
+            return "its condition does not hold" + (trial.values.empty() ? "" : ": " + values_text(trial));
+    }
+    return "";
+}
+
+std::string told(const OpenedDocument& opened, const rewriting::Explanation& explanation) {
+    std::string text;
+    const Rule* putter = nullptr;
+    Fate before = Fate::kept;
+    for (const SymbolMoment& moment : explanation.moments) {
+        text += "iteration " + std::to_string(moment.iteration) + ": " + letter_text(moment.letter) + " at " +
+                std::to_string(moment.index);
+        if (moment.system != 0) text += " of the system " + letter_text(moment.system);
+        if (moment.turns > 0)
+            text += ", asleep for " + std::to_string(moment.turns) + (moment.turns == 1 ? " turn" : " turns");
+        if (moment.iteration == 0) {
+            text += ", of the axiom";
+        } else if (putter != nullptr) {
+            text += ", put by " + place_of(opened, putter->span) + ": " + rule_text(opened, *putter);
+        } else {
+            text += ", from the one before, " + std::string(text_of(before).text);
+        }
+        text += "\n";
+        putter = moment.rule;
+        before = moment.fate;
+    }
+    const SymbolMoment& last = explanation.moments.back();
+    text += "iteration " + std::to_string(last.iteration + 1) + ": ";
+    text += last.fate == Fate::rewritten || !explanation.next ? "" : std::string(text_of(last.fate).text) + "; ";
+    text += explanation.next ? "it becomes \"" + rewriting::to_utf8(*explanation.next) + "\"\n" : "it cannot be made\n";
+    for (const RuleTrial& trial : last.trials) {
+        text += "  " + place_of(opened, trial.rule->span) + ": " + rule_text(opened, *trial.rule) + "\n    " +
+                reason(trial, last) + "\n";
+    }
+    return text;
+}
+
+Json rule_json(const OpenedDocument& opened, const Rule* rule) {
+    if (rule == nullptr) return nullptr;
+    const SourceFile& source = opened.document.sources[rule->span.file];
+    return {{"file", source.name},
+            {"line", line_column(source.text, rule->span.begin).line},
+            {"text", rule_text(opened, *rule)}};
+}
+
+Json moment_json(const OpenedDocument& opened, const SymbolMoment& moment) {
+    Json json;
+    json["iteration"] = moment.iteration;
+    json["index"] = moment.index;
+    json["symbol"] = letter_text(moment.letter);
+    json["system"] = moment.system == 0 ? Json(nullptr) : Json(letter_text(moment.system));
+    json["turns"] = moment.turns;
+    json["then"] = text_of(moment.fate).name;
+    json["rule"] = rule_json(opened, moment.rule);
+    return json;
+}
+
+Json trial_json(const OpenedDocument& opened, const RuleTrial& trial, const SymbolMoment& moment) {
+    Json json;
+    json["rule"] = rule_json(opened, trial.rule);
+    json["verdict"] = name_of(trial);
+    json["reason"] = reason(trial, moment);
+    for (const auto& [name, value] : trial.values) json["values"][name] = value;
+    if (trial.verdict == Verdict::no_left || trial.verdict == Verdict::no_right) {
+        json["found"] = rewriting::to_utf8(trial.found);
+    }
+    if (trial.drawn) {
+        json["weights"] = trial.weights;
+        json["drawn"] = *trial.drawn == trial.weights.size() ? Json(nullptr) : Json(*trial.drawn);
+    }
+    return json;
+}
+
+std::string as_data(const OpenedDocument& opened, const CheckedDocument& checked,
+                    const rewriting::Explanation& explanation) {
+    const SymbolMoment& last = explanation.moments.back();
+    Json json;
+    json["document"] = opened.name;
+    json["engine"] = checked.settings->engine;
+    json["seed"] = checked.settings->seed;
+    json["position"] = last.index;
+    json["moments"] = Json::array();
+    for (const SymbolMoment& moment : explanation.moments) json["moments"].push_back(moment_json(opened, moment));
+    json["next"]["iteration"] = last.iteration + 1;
+    json["next"]["becomes"] = explanation.next ? Json(rewriting::to_utf8(*explanation.next)) : Json(nullptr);
+    json["next"]["rules"] = Json::array();
+    for (const RuleTrial& trial : last.trials) json["next"]["rules"].push_back(trial_json(opened, trial, last));
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+Result<std::string> explain_word(const OpenedDocument& opened, const CheckedDocument& checked,
+                                 std::optional<std::uint64_t> steps, std::uint64_t position, bool as_json,
+                                 const Job& job) {
+    const rewriting::Grammar& grammar = *checked.words;
+    const Result<rewriting::Explanation> explanation = rewriting::explain(
+        grammar, word_options(opened, checked), steps.value_or(grammar.systems[0].iterations), position, job);
+    if (!explanation) return explanation.diagnostics();
+    return as_json ? as_data(opened, checked, *explanation) : told(opened, *explanation);
+}
+
+}  // namespace filigree
