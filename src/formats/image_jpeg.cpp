@@ -1,4 +1,4 @@
-// JPEG to greys. What most JPEGs hold is luma already, so no colour is decoded for them.
+// JPEG to greys and colours. What most JPEGs hold is luma already, so no colour is decoded for greys of them.
 #include <csetjmp>
 #include <cstddef>
 #include <cstdio>
@@ -115,51 +115,76 @@ bool read_head(Decoder& decoder) {
     return true;
 }
 
-// Adobe's CMYK counts the ink that is missing; what says nothing of Adobe counts the ink.
-float darkness_of_ink(const JSAMPLE* ink, bool is_inverted) {
+enum class Samples : std::uint8_t { luma, colours, ink, missing_ink };
+
+struct Light {
+    std::uint64_t red = 0, green = 0, blue = 0, white = 255;  // each at most `white`
+};
+Light light_of(const JSAMPLE* sample, Samples samples) {
+    if (samples == Samples::luma) return {sample[0], sample[0], sample[0]};
+    if (samples == Samples::colours) return {sample[0], sample[1], sample[2]};
     std::uint64_t light[4];
-    for (int i = 0; i < 4; ++i) light[i] = is_inverted ? ink[i] : std::uint64_t{255} - ink[i];
-    return darkness_of(light[0] * light[3], light[1] * light[3], light[2] * light[3], std::uint64_t{255} * 255);
+    for (int i = 0; i < 4; ++i) light[i] = samples == Samples::ink ? std::uint64_t{255} - sample[i] : sample[i];
+    return {light[0] * light[3], light[1] * light[3], light[2] * light[3], std::uint64_t{255} * 255};
+}
+void set_pixel(float& darkness, Light light) {
+    darkness = darkness_of(light.red, light.green, light.blue, light.white);
+}
+void set_pixel(Colour& colour, Light light) {
+    const auto rounded = [&](std::uint64_t value) {
+        return static_cast<std::uint8_t>((255 * value + light.white / 2) / light.white);
+    };
+    colour = {rounded(light.red), rounded(light.green), rounded(light.blue), 255};
 }
 
-bool read_rows(Decoder& decoder, GreyImage& image, std::vector<JSAMPLE>& row) {
+// What libjpeg is asked for, of pictures that are not printed.
+Samples samples_for(const GreyImage&, const jpeg_decompress_struct& jpeg) {
+    const bool is_luma = jpeg.jpeg_color_space == JCS_GRAYSCALE || jpeg.jpeg_color_space == JCS_YCbCr;
+    return is_luma ? Samples::luma : Samples::colours;
+}
+Samples samples_for(const ColourImage&, const jpeg_decompress_struct& jpeg) {
+    return jpeg.jpeg_color_space == JCS_GRAYSCALE ? Samples::luma : Samples::colours;
+}
+
+template <class Image>
+bool read_rows(Decoder& decoder, Image& image, std::vector<JSAMPLE>& row) {
     jpeg_decompress_struct& jpeg = decoder.jpeg;
     if (setjmp(decoder.leave) != 0) return false;
     const bool is_ink = jpeg.jpeg_color_space == JCS_CMYK || jpeg.jpeg_color_space == JCS_YCCK;
-    const bool is_luma = jpeg.jpeg_color_space == JCS_GRAYSCALE || jpeg.jpeg_color_space == JCS_YCbCr;
-    jpeg.out_color_space = is_ink ? JCS_CMYK : is_luma ? JCS_GRAYSCALE : JCS_RGB;
-    jpeg.dct_method = JDCT_ISLOW;  // the one that is the same everywhere
+    // Adobe's CMYK counts the ink that is missing; what says nothing of Adobe counts the ink.
+    const Samples samples = !is_ink                      ? samples_for(image, jpeg)
+                            : jpeg.saw_Adobe_marker != 0 ? Samples::missing_ink
+                                                         : Samples::ink;
+    jpeg.out_color_space = is_ink ? JCS_CMYK : samples == Samples::luma ? JCS_GRAYSCALE : JCS_RGB;
+    jpeg.dct_method = JDCT_ISLOW;      // the one that is the same everywhere,
+    jpeg.do_fancy_upsampling = FALSE;  // and so is this
     jpeg_start_decompress(&jpeg);
     if (jpeg.output_width != image.width || jpeg.output_height != image.height) return false;
     const auto step = static_cast<std::size_t>(jpeg.output_components);
-    if (step != (is_ink ? 4U : is_luma ? 1U : 3U)) return false;
+    if (step != (is_ink ? 4U : samples == Samples::luma ? 1U : 3U)) return false;
     for (std::uint32_t y = 0; y < image.height; ++y) {
         JSAMPROW rows[] = {row.data()};
         if (jpeg_read_scanlines(&jpeg, rows, 1) != 1) return false;
-        float* const to = image.darkness.data() + std::size_t{y} * image.width;
-        for (std::uint32_t x = 0; x < image.width; ++x) {
-            const JSAMPLE* const pixel = row.data() + x * step;
-            to[x] = is_ink    ? darkness_of_ink(pixel, jpeg.saw_Adobe_marker != 0)
-                    : is_luma ? darkness_of(pixel[0], pixel[0], pixel[0], 255)
-                              : darkness_of(pixel[0], pixel[1], pixel[2], 255);
-        }
+        auto* const to = pixels_of(image).data() + std::size_t{y} * image.width;
+        for (std::uint32_t x = 0; x < image.width; ++x) set_pixel(to[x], light_of(row.data() + x * step, samples));
     }
     return true;  // what follows the last row is of no use
 }
 
-Result<GreyImage> decode(Decoder& decoder) {
+template <class Image>
+Result<Image> decode(Decoder& decoder) {
     const auto broken = [&] {
         if (decoder.is_cut_off) return error("image.cut-off", "the JPEG breaks off before its picture is complete");
         return error("image.broken",
                      "the JPEG is broken: " + (decoder.problem.empty() ? "unknown colours" : decoder.problem));
     };
     if (!read_head(decoder)) return broken();
-    GreyImage image;
+    Image image;
     image.width = decoder.jpeg.image_width;
     image.height = decoder.jpeg.image_height;
     if (Diagnostics refused = check_image_size(image.width, image.height); !refused.empty()) return refused;
     const std::uint32_t layout = exif_layout(decoder);
-    image.darkness.resize(std::size_t{image.width} * image.height);
+    pixels_of(image).resize(std::size_t{image.width} * image.height);
     std::vector<JSAMPLE> row(std::size_t{4} * image.width);
     if (!read_rows(decoder, image, row)) return broken();
     Diagnostics warnings;
@@ -174,37 +199,43 @@ Result<GreyImage> decode(Decoder& decoder) {
 
 bool is_jpeg(std::string_view bytes) { return bytes.substr(0, 3) == "\xFF\xD8\xFF"; }
 
-Result<GreyImage> decode_jpeg(std::string_view bytes) {
+template <class Image>
+Result<Image> decode_jpeg(std::string_view bytes) {
     Decoder decoder;
     decoder.bytes = bytes;
     decoder.jpeg.err = jpeg_std_error(&decoder.errors);
     decoder.jpeg.client_data = &decoder;
     decoder.errors.error_exit = on_error;
     decoder.errors.emit_message = on_message;
-    Result<GreyImage> image = decode(decoder);
+    Result<Image> image = decode<Image>(decoder);
     jpeg_destroy_decompress(&decoder.jpeg);
     return image;
 }
+template Result<GreyImage> decode_jpeg(std::string_view bytes);
+template Result<ColourImage> decode_jpeg(std::string_view bytes);
 
-GreyImage turned(GreyImage image, std::uint32_t layout) {
+template <class Image>
+Image turned(Image image, std::uint32_t layout) {
     if (layout < 2 || layout > 8) return image;
     const bool is_transposed = layout >= 5;
     const bool flips_x = layout == 2 || layout == 3 || layout == 7 || layout == 8;
     const bool flips_y = layout == 3 || layout == 4 || layout == 6 || layout == 7;
-    GreyImage result;
+    Image result;
     result.width = is_transposed ? image.height : image.width;
     result.height = is_transposed ? image.width : image.height;
-    result.darkness.resize(image.darkness.size());
+    pixels_of(result).resize(pixels_of(image).size());
     for (std::uint32_t y = 0; y < result.height; ++y) {
         for (std::uint32_t x = 0; x < result.width; ++x) {
             std::uint32_t from_x = is_transposed ? y : x, from_y = is_transposed ? x : y;
             if (flips_x) from_x = image.width - 1 - from_x;
             if (flips_y) from_y = image.height - 1 - from_y;
-            result.darkness[std::size_t{y} * result.width + x] =
-                image.darkness[std::size_t{from_y} * image.width + from_x];
+            pixels_of(result)[std::size_t{y} * result.width + x] =
+                pixels_of(image)[std::size_t{from_y} * image.width + from_x];
         }
     }
     return result;
 }
+template GreyImage turned(GreyImage image, std::uint32_t layout);
+template ColourImage turned(ColourImage image, std::uint32_t layout);
 
 }  // namespace filigree

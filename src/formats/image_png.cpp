@@ -1,4 +1,4 @@
-// PNG to greys. Every kind of PNG becomes rows of 16-bit red, green, blue and alpha first.
+// PNG to greys and colours. Every kind of PNG becomes rows of 16-bit red, green, blue and alpha first.
 #include <png.h>
 
 #include <bit>
@@ -45,8 +45,20 @@ bool read_head(png_structp png, png_infop info) {
     return true;
 }
 
+// Of red, green, blue and alpha.
+void set_pixel(float& darkness, const std::uint16_t* channel) {
+    const std::uint64_t alpha = channel[3], paper = std::uint64_t{65535} * (65535 - alpha);
+    darkness = darkness_of(channel[0] * alpha + paper, channel[1] * alpha + paper, channel[2] * alpha + paper,
+                           std::uint64_t{65535} * 65535);
+}
+void set_pixel(Colour& colour, const std::uint16_t* channel) {
+    const auto high = [&](int i) { return static_cast<std::uint8_t>(channel[i] >> 8); };
+    colour = {high(0), high(1), high(2), high(3)};
+}
+
 // Rows as they are stored: of interlaced pictures, one sparse picture after another.
-bool read_rows(png_structp png, png_infop info, GreyImage& image, std::vector<std::uint16_t>& row) {
+template <class Image>
+bool read_rows(png_structp png, png_infop info, Image& image, std::vector<std::uint16_t>& row) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
     png_set_expand_16(png);
     png_set_gray_to_rgb(png);
@@ -65,12 +77,8 @@ bool read_rows(png_structp png, png_infop info, GreyImage& image, std::vector<st
         for (std::uint32_t y = first_y; y < image.height; y += step_y) {
             png_read_row(png, reinterpret_cast<png_bytep>(row.data()), nullptr);
             const std::uint16_t* pixel = row.data();
-            float* const to = image.darkness.data() + std::size_t{y} * image.width;
-            for (std::uint32_t x = first_x; x < image.width; x += step_x, pixel += channels) {
-                const std::uint64_t alpha = pixel[3], paper = std::uint64_t{65535} * (65535 - alpha);
-                to[x] = darkness_of(pixel[0] * alpha + paper, pixel[1] * alpha + paper, pixel[2] * alpha + paper,
-                                    std::uint64_t{65535} * 65535);
-            }
+            auto* const to = pixels_of(image).data() + std::size_t{y} * image.width;
+            for (std::uint32_t x = first_x; x < image.width; x += step_x, pixel += channels) set_pixel(to[x], pixel);
         }
     }
     png_read_end(png, nullptr);
@@ -105,7 +113,8 @@ bool is_png(std::string_view bytes) {
     return bytes.substr(0, signature.size()) == signature;
 }
 
-Result<GreyImage> decode_png(std::string_view bytes) {
+template <class Image>
+Result<Image> decode_png(std::string_view bytes) {
     Input input{bytes, 0, {}, false};
     const auto broken = [&] {
         if (input.is_cut_off) return error("image.cut-off", "the PNG breaks off before its picture is complete");
@@ -113,14 +122,16 @@ Result<GreyImage> decode_png(std::string_view bytes) {
     };
     PngReader reader(input);
     if (reader.info() == nullptr || !read_head(reader.png(), reader.info())) return broken();
-    GreyImage image;
+    Image image;
     image.width = png_get_image_width(reader.png(), reader.info());
     image.height = png_get_image_height(reader.png(), reader.info());
     if (Diagnostics refused = check_image_size(image.width, image.height); !refused.empty()) return refused;
-    image.darkness.resize(std::size_t{image.width} * image.height);
+    pixels_of(image).resize(std::size_t{image.width} * image.height);
     std::vector<std::uint16_t> row(channels * image.width);
     if (!read_rows(reader.png(), reader.info(), image, row)) return broken();
     return image;
 }
+template Result<GreyImage> decode_png(std::string_view bytes);
+template Result<ColourImage> decode_png(std::string_view bytes);
 
 }  // namespace filigree

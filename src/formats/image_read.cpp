@@ -20,12 +20,11 @@ std::string_view likely_kind(std::string_view bytes) {
     return "";
 }
 
-}  // namespace
-
-Result<GreyImage> read_image(std::string_view bytes) {
+template <class Image>
+Result<Image> read_as(std::string_view bytes) {
     if (bytes.empty()) return error("image.empty", "the picture is an empty file");
-    if (is_png(bytes)) return decode_png(bytes);
-    if (is_jpeg(bytes)) return decode_jpeg(bytes);
+    if (is_png(bytes)) return decode_png<Image>(bytes);
+    if (is_jpeg(bytes)) return decode_jpeg<Image>(bytes);
     const std::string_view kind = likely_kind(bytes);
     Diagnostic unknown = error("image.unknown-format",
                                kind.empty() ? "the picture is neither a PNG nor a JPEG"
@@ -33,6 +32,11 @@ Result<GreyImage> read_image(std::string_view bytes) {
     unknown.hints = {"convert it to PNG"};
     return unknown;
 }
+
+}  // namespace
+
+Result<GreyImage> read_image(std::string_view bytes) { return read_as<GreyImage>(bytes); }
+Result<ColourImage> read_colour_image(std::string_view bytes) { return read_as<ColourImage>(bytes); }
 
 Diagnostics check_image_size(std::uint64_t width, std::uint64_t height) {
     if (width == 0 || height == 0) return {error("image.no-pixels", "the picture has no pixels")};

@@ -92,8 +92,18 @@ GreyImage read(const std::string& bytes) {
     return image ? *image : GreyImage{};
 }
 
+std::vector<Colour> colours_in(const std::string& bytes) {
+    const Result<ColourImage> image = read_colour_image(bytes);
+    EXPECT_TRUE(image) << (image ? "" : image.diagnostics()[0].message);
+    EXPECT_TRUE(image.diagnostics().empty());
+    return image ? image->pixels : std::vector<Colour>{};
+}
+
 std::string code_of(std::string_view bytes) {
     const Result<GreyImage> image = read_image(bytes);
+    const Result<ColourImage> colour = read_colour_image(bytes);
+    EXPECT_EQ(image.diagnostics().size(), colour.diagnostics().size());
+    EXPECT_EQ(image ? "ok" : image.diagnostics()[0].code, colour ? "ok" : colour.diagnostics()[0].code);
     return image ? "ok" : image.diagnostics()[0].code;
 }
 
@@ -149,6 +159,33 @@ TEST(ImageRead, ColoursAndAlpha) {
     EXPECT_EQ(keyed.darkness, (std::vector<float>{0, 1}));
 }
 
+TEST(ImageRead, ColoursAsTheyAreStored) {
+    using Row = std::vector<Colour>;
+    const auto grey = [](std::uint8_t level) { return Colour{level, level, level}; };
+    EXPECT_EQ(colours_in(png_of(4, 1, {PNG_COLOR_TYPE_GRAY, 1}, {bytes_of({0b10110000})})),
+              (Row{grey(255), grey(0), grey(255), grey(255)}));
+    EXPECT_EQ(colours_in(png_of(4, 1, {PNG_COLOR_TYPE_GRAY, 4}, {bytes_of({0x0F, 0x36})})),
+              (Row{grey(0), grey(255), grey(51), grey(102)}));
+    EXPECT_EQ(colours_in(png_of(3, 1, {PNG_COLOR_TYPE_GRAY, 16}, {bytes_of({0, 255, 1, 0, 0x7F, 0xFF})})),
+              (Row{grey(0), grey(1), grey(0x7F)}))
+        << "rounded down";
+    EXPECT_EQ(colours_in(png_of(2, 2, {PNG_COLOR_TYPE_RGB, 8},
+                                {bytes_of({255, 0, 1, 2, 254, 3}), bytes_of({4, 5, 253, 255, 255, 255})})),
+              (Row{{255, 0, 1}, {2, 254, 3}, {4, 5, 253}, {255, 255, 255}}));
+    EXPECT_EQ(colours_in(png_of(2, 1, {PNG_COLOR_TYPE_RGB_ALPHA, 8}, {bytes_of({9, 8, 7, 0, 6, 5, 4, 128})})),
+              (Row{{9, 8, 7, 0}, {6, 5, 4, 128}}))
+        << "what is transparent keeps its colour";
+    EXPECT_EQ(colours_in(png_of(1, 1, {PNG_COLOR_TYPE_GRAY_ALPHA, 16}, {bytes_of({0x33, 0x99, 0x80, 0xFF})})),
+              (Row{{0x33, 0x33, 0x33, 0x80}}));
+    EXPECT_EQ(colours_in(png_of(2, 1, {PNG_COLOR_TYPE_PALETTE, 1}, {bytes_of({0b10000000})}, {{1, 2, 3}, {250, 20, 30}},
+                                {255, 102})),
+              (Row{{250, 20, 30, 102}, {1, 2, 3, 255}}));
+    png_color_16 key{};
+    key.gray = 10;
+    EXPECT_EQ(colours_in(png_of(2, 1, {PNG_COLOR_TYPE_GRAY, 8}, {bytes_of({10, 11})}, {}, {}, &key)),
+              (Row{{10, 10, 10, 0}, grey(11)}));
+}
+
 TEST(ImageRead, InterlacedPicturesAreTheSame) {
     CaseRandom random(5);
     for (const std::uint32_t width : {1U, 2U, 3U, 5U, 8U, 9U, 17U}) {
@@ -158,7 +195,16 @@ TEST(ImageRead, InterlacedPicturesAreTheSame) {
                 for (std::uint32_t i = 0; i < 3 * width; ++i) row += static_cast<char>(random.below(256));
             }
             const GreyImage plain = read(png_of(width, height, {PNG_COLOR_TYPE_RGB, 8}, rows));
-            EXPECT_EQ(plain, read(png_of(width, height, {PNG_COLOR_TYPE_RGB, 8, PNG_INTERLACE_ADAM7}, rows)));
+            const std::string interlaced = png_of(width, height, {PNG_COLOR_TYPE_RGB, 8, PNG_INTERLACE_ADAM7}, rows);
+            EXPECT_EQ(plain, read(interlaced));
+            const std::vector<Colour> pixels = colours_in(interlaced);
+            ASSERT_EQ(pixels.size(), std::size_t{width} * height);
+            for (std::uint32_t y = 0; y < height; ++y) {
+                for (std::uint32_t x = 0; x < width; ++x) {
+                    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(rows[y][3 * x + i]); };
+                    ASSERT_EQ(pixels[y * width + x], (Colour{byte(0), byte(1), byte(2)}));
+                }
+            }
         }
     }
 }
@@ -180,13 +226,32 @@ TEST(ImageRead, JpegsOfEveryKind) {
         ASSERT_EQ(grey.height, 24U);
         ASSERT_EQ(colour.darkness.size(), 32U * 24);
         ASSERT_EQ(printed.darkness.size(), 32U * 24);
+        const auto coloured = [&](J_COLOR_SPACE space, int components, const std::string& pixels) {
+            std::vector<Colour> read = colours_in(jpeg_of(32, 24, space, components, pixels, is_progressive));
+            EXPECT_EQ(read.size(), 32U * 24);
+            read.resize(32 * 24);
+            return read;
+        };
+        const std::vector<Colour> grey_pixels = coloured(JCS_GRAYSCALE, 1, greys);
+        const std::vector<Colour> colour_pixels = coloured(JCS_RGB, 3, colours);
+        const std::vector<Colour> printed_pixels = coloured(JCS_CMYK, 4, ink);
+        const auto expect_near = [](Colour found, double red, double green, double blue, double tolerance) {
+            EXPECT_NEAR(found.red, red, tolerance);
+            EXPECT_NEAR(found.green, green, tolerance);
+            EXPECT_NEAR(found.blue, blue, tolerance);
+            EXPECT_EQ(found.alpha, 255);
+        };
         for (std::size_t y = 0; y < 24; ++y) {
             for (std::size_t x = 0; x < 32; ++x) {
                 const double X = static_cast<double>(x), Y = static_cast<double>(y);
                 EXPECT_NEAR(grey.darkness[y * 32 + x], 1 - 8 * X / 255, 0.02);
                 const double luma = 0.299 * 8 * X + 0.587 * (255 - 8 * X) + 0.114 * 4 * Y;
                 EXPECT_NEAR(colour.darkness[y * 32 + x], 1 - luma / 255, 0.03);
-                EXPECT_NEAR(printed.darkness[y * 32 + x], 1 - (255 - 8 * X) * (255 - 4 * Y) / 65025, 0.03);
+                const double light = (255 - 8 * X) * (255 - 4 * Y) / 255;
+                EXPECT_NEAR(printed.darkness[y * 32 + x], 1 - light / 255, 0.03);
+                expect_near(grey_pixels[y * 32 + x], 8 * X, 8 * X, 8 * X, 2);
+                expect_near(colour_pixels[y * 32 + x], 8 * X, 255 - 8 * X, 4 * Y, 12);  // colours are stored coarsely
+                expect_near(printed_pixels[y * 32 + x], light, light, light, 4);
             }
         }
     }
@@ -206,6 +271,8 @@ TEST(ImageRead, TurnsPicturesAsTheCameraSays) {
     EXPECT_EQ(turned(stored, 7).darkness, (Rows{5, 2, 4, 1, 3, 0}));
     EXPECT_EQ(turned(stored, 8).darkness, (Rows{2, 5, 1, 4, 0, 3}));
     EXPECT_EQ(turned(stored, 9), stored);
+    const Colour a{1, 2, 3}, b{4, 5, 6, 7};
+    EXPECT_EQ(turned(ColourImage{2, 1, {a, b}}, 8), (ColourImage{1, 2, {b, a}}));
 
     const std::string pixels = std::string(16 * 8, '\xFF') + std::string(16 * 8, '\0');  // dark below
     const std::string motorola =
@@ -216,6 +283,10 @@ TEST(ImageRead, TurnsPicturesAsTheCameraSays) {
         const GreyImage image = read(jpeg_of(16, 16, JCS_GRAYSCALE, 1, pixels, false, exif));
         EXPECT_GT(image.darkness[8 * 16 + 2], 0.9F);  // a quarter turn clockwise: dark on the left
         EXPECT_LT(image.darkness[8 * 16 + 13], 0.1F);
+        const std::vector<Colour> turned_colours = colours_in(jpeg_of(16, 16, JCS_GRAYSCALE, 1, pixels, false, exif));
+        ASSERT_EQ(turned_colours.size(), 256U);
+        EXPECT_LT(turned_colours[8 * 16 + 2].red, 25);
+        EXPECT_GT(turned_colours[8 * 16 + 13].red, 230);
         for (std::size_t length = 0; length < exif.size(); ++length) {
             read(jpeg_of(16, 16, JCS_GRAYSCALE, 1, pixels, false, exif.substr(0, length)));
         }
@@ -299,12 +370,15 @@ TEST(ImageRead, DamagedFilesNeverCrash) {
             bytes[random.index(bytes.size())] = static_cast<char>(random.below(256));
         }
         const Result<GreyImage> image = read_image(bytes);
+        const Result<ColourImage> colour = read_colour_image(bytes);
+        ASSERT_EQ(image.operator bool(), colour.operator bool());
         if (!image) {
             ASSERT_FALSE(image.diagnostics().empty());
             continue;
         }
         ++read_anyway;
         ASSERT_EQ(image->darkness.size(), std::size_t{image->width} * image->height);
+        ASSERT_EQ(colour->pixels.size(), image->darkness.size());
         for (const float value : image->darkness) ASSERT_TRUE(value >= 0 && value <= 1);
     }
     EXPECT_LT(read_anyway, case_count());
