@@ -27,8 +27,7 @@ public:
         const std::size_t known = derivation_.alphabet.size();
         plan_.entries.resize(known);
         candidates_.resize(known);
-        std::array<bool, max_symbols> stands{};  // in the word
-        for (const Symbol symbol : derivation_.word.symbols) stands[symbol] = true;
+        const std::array<bool, max_symbols> stands = symbols_in(derivation_.word, known);
         bool must_decide = false;
         for (std::size_t s = 0; s < known; ++s) {
             if (!stands[s]) continue;

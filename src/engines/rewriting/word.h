@@ -4,6 +4,7 @@
 // in the order of the word, or nothing at all.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -20,6 +21,9 @@ struct Word {
 
     std::size_t size() const { return symbols.size(); }
 };
+
+// Which symbols stand in a word, of so many that may.
+std::array<bool, max_symbols> symbols_in(const Word& word, std::size_t known);
 
 std::string to_text(const Word& word, const Alphabet& alphabet);
 
