@@ -4,7 +4,7 @@
 // An iteration looks at the word three times. First come the symbols whose successor hangs on more than the symbol
 // itself (contexts, conditions, draws, macros, subsystems): what becomes of them is decided from left to right
 // (decide.h). Then the size of the new word is counted, so that one that is too large ends the run before any memory
-// is asked for; then it is written.
+// is asked for; then it is written (rewrite.h).
 //
 // Guarantees: iteration t makes S_t from S_(t-1) alone; a limit that is reached, or an error, leaves all as it was.
 #pragma once

@@ -37,8 +37,9 @@ std::string difference(const Derivation& engine, const reference::State& wanted,
     if ((with_ages || !engine.word.ages.empty()) && engine.word.ages != ages) {
         return problem("ages") + "\n  engine    " + listed(engine.word.ages) + "\n  reference " + listed(ages);
     }
-    const auto origins = column(wanted.word, &reference::Unit::origin);
-    if (!engine.word.origins.empty() && engine.word.origins != origins) {
+    std::vector<std::uint32_t> origins = column(wanted.word, &reference::Unit::origin);
+    std::erase(origins, 0);
+    if (engine.word.origins != origins) {
         return problem("origins") + "\n  engine    " + listed(engine.word.origins) + "\n  reference " + listed(origins);
     }
     if (!engine.word.keys.empty() && engine.word.keys != column(wanted.word, &reference::Unit::key)) {

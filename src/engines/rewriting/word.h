@@ -1,7 +1,7 @@
 // A word: what a derivation is made of, one byte a symbol.
 //
-// Beside the bytes stand columns that only some grammars need; each holds an entry for every symbol that is no '=',
-// in the order of the word, or nothing at all.
+// Beside the bytes stands of each ñ which n it came from, and columns that only some grammars need; each of these holds
+// an entry for every symbol that is no '=', in the order of the word, or nothing at all.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace filigree::rewriting {
 
 struct Word {
     std::vector<Symbol> symbols;
-    std::vector<std::uint32_t> origins;  // of an ñ: which n it came from, from 1; else 0
+    std::vector<std::uint32_t> origins;  // of each ñ: which n it came from, from 1
     std::vector<std::uint64_t> keys;     // whom a symbol descends from: what it draws by
     std::vector<std::uint32_t> ages;     // in the mode of the grammar
 
