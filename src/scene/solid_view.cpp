@@ -8,10 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "space/convex_parts.h"
 #include "space/mesh_edges.h"
+#include "space/mesh_pieces.h"
 #include "space/painters_order.h"
 #include "space/rejoin.h"
+#include "space/stroke_again.h"
 
 namespace filigree {
 namespace {
@@ -19,150 +20,23 @@ namespace {
 constexpr std::int64_t least_step = 16;  // grid units between neighbours of a ring, so that rounding crosses nothing
 constexpr double thinnest = 0x1p-20;     // px
 
-bool is_near_origin(Vec3 p) {  // false for what is not a number
-    return std::fabs(p.x) <= 0x1p30 && std::fabs(p.y) <= 0x1p30 && std::fabs(p.z) <= 0x1p30;
-}
-
-// What stands before the camera, in convex pieces that know their faces and lines.
-class Preparation {
-public:
-    Preparation(const Mesh& mesh, const Camera& camera)
-        : mesh_(mesh), viewer_(viewer_of(camera)), near_(near_plane(camera)) {
-        double extent = 0;
-        seen_.reserve(mesh.vertices.size());
-        for (const Vec3 vertex : mesh.vertices) {
-            seen_.push_back(seen_from(camera, vertex));
-            const Vec3 p = seen_.back();
-            if (is_near_origin(p)) extent = std::max({extent, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-        }
-        flat_ = extent * 0x1p-32;
-    }
-
-    // Lines stand behind faces: where they lie in a face they are painted over it.
-    void prepare() {
-        for (std::uint32_t face = 0; face < mesh_.faces.size(); ++face) add_face(face);
-        for (std::uint32_t line = 0; line < mesh_.lines.size(); ++line) add_line(line);
-    }
-
-    Pieces pieces;
-    std::vector<std::uint32_t> whole;  // pieces that no other is cut into yet
-    std::vector<signed char> looks;    // of each face: towards the viewer, away, or neither
-
-private:
-    void add_face(std::uint32_t face) {
-        looks.push_back(0);
-        const std::span<const std::uint32_t> corners = corners_of_face(mesh_, face);
-        ring_.clear();
-        for (const std::uint32_t corner : corners) ring_.push_back(seen_[corner]);
-        if (!std::all_of(ring_.begin(), ring_.end(), is_near_origin)) return;
-        const Vec3 area = doubled_area(ring_);
-        if (!(length(area) > 0)) return;
-        const double side = side_of(viewer_, plane_of(area, ring_[0]));
-        looks.back() = static_cast<signed char>(side > 0 ? 1 : side < 0 ? -1 : 0);
-
-        const ConvexParts parts = convex_parts(ring_, flat_);
-        const std::uint32_t first_edge = first_corner(mesh_, face);
-        const auto count = static_cast<std::uint32_t>(ring_.size());
-        std::uint32_t parent = no_piece;
-        if (parts.is_whole && parts.ends.size() > 1 && !is_beside_camera(ring_)) {
-            for (std::uint32_t i = 0; i < count; ++i) pieces.corners.push_back({ring_[i], first_edge + i});
-            parent = add_piece({0, count, face, add_plane(plane_of(area, ring_[0])), no_piece, false});
-        }
-        std::uint32_t begin = 0;
-        for (const std::uint32_t end : parts.ends) {
-            add_part(face, {parts.corners.data() + begin, parts.corners.data() + end}, parent);
-            begin = end;
-        }
-    }
-
-    // Of the ring, which part it is by its corners there.
-    void add_part(std::uint32_t face, std::span<const std::uint32_t> part, std::uint32_t parent) {
-        const auto ring_size = static_cast<std::uint32_t>(ring_.size());
-        part_.clear();
-        for (const std::uint32_t corner : part) part_.push_back(ring_[corner]);
-        const Vec3 area = doubled_area(part_);
-        if (!(length(area) > 0)) return;
-        const Plane3 plane = plane_of(area, part_[0]);
-        const double side = side_of(viewer_, plane);
-        if (side == 0 || (side < 0 && !mesh_.faces[face].is_sheet)) return;
-        for (std::size_t i = 0; i < part.size(); ++i) {
-            const std::uint32_t next = part[i + 1 < part.size() ? i + 1 : 0];
-            const bool is_edge = next == (part[i] + 1) % ring_size;
-            pieces.corners.push_back({part_[i], is_edge ? first_corner(mesh_, face) + part[i] : no_edge});
-        }
-        const std::uint32_t piece =
-            add_piece({0, static_cast<std::uint32_t>(part.size()), face, add_plane(plane), parent, false});
-        add_visible(piece, is_beside_camera(part_));
-    }
-
-    void add_line(std::uint32_t line) {
-        const std::span<const std::uint32_t> points = points_of_line(mesh_, line);
-        ring_.clear();
-        for (const std::uint32_t point : points) {
-            if (ring_.empty() || ring_.back() != seen_[point]) ring_.push_back(seen_[point]);
-        }
-        if (ring_.size() < 2 || !(mesh_.lines[line].width > 0)) return;
-        if (!std::all_of(ring_.begin(), ring_.end(), is_near_origin)) return;
-        const bool is_beside = is_beside_camera(ring_);
-        std::uint32_t parent = no_piece;
-        if (ring_.size() > 2 && !is_beside) {
-            for (const Vec3 p : ring_) pieces.corners.push_back({p, 0});
-            parent = add_piece({0, static_cast<std::uint32_t>(ring_.size()), line, 0, no_piece, true});
-        }
-        for (std::size_t i = 1; i < ring_.size(); ++i) {
-            const std::uint32_t plane = add_plane(plane_facing(viewer_, ring_[i - 1], ring_[i]));
-            pieces.corners.push_back({ring_[i - 1], 0});
-            pieces.corners.push_back({ring_[i], 0});
-            add_visible(add_piece({0, 2, line, plane, parent, true}), is_beside);
-        }
-    }
-
-    // What was cut off here is gone, so that its pieces never become whole again.
-    void add_visible(std::uint32_t piece, bool is_beside) {
-        if (!is_beside) {
-            whole.push_back(piece);
-            return;
-        }
-        PlaneSides sides;
-        part(pieces, std::span(&piece, 1), *near_, flat_, sides);
-        for (const std::uint32_t kept : sides.behind) {
-            pieces.pieces[kept].parent = no_piece;
-            whole.push_back(kept);
-        }
-    }
-
-    bool is_beside_camera(const std::vector<Vec3>& points) const {
-        return near_ && std::any_of(points.begin(), points.end(), [&](Vec3 p) { return p.z >= near_->offset; });
-    }
-
-    static Plane3 plane_of(Vec3 area, Vec3 through) {
-        const Vec3 normal = unit(area);
-        return {normal, dot(normal, through)};
-    }
-    std::uint32_t add_plane(const Plane3& plane) {
-        pieces.planes.push_back(plane);
-        return static_cast<std::uint32_t>(pieces.planes.size() - 1);
-    }
-    // Of the corners that stand last.
-    std::uint32_t add_piece(Piece piece) {
-        piece.first = static_cast<std::uint32_t>(pieces.corners.size()) - piece.count;
-        pieces.pieces.push_back(piece);
-        return static_cast<std::uint32_t>(pieces.pieces.size() - 1);
-    }
-
-    const Mesh& mesh_;
-    const Viewer viewer_;
-    const std::optional<Plane3> near_;
-    std::vector<Vec3> seen_;  // the mesh's vertices
-    double flat_ = 0;         // how far from a plane is in it
-    std::vector<Vec3> ring_, part_;
-};
-
 Colour shaded(Colour colour, double light) {
     const auto channel = [&](std::uint8_t value) {
         return static_cast<std::uint8_t>(round_to_whole(std::clamp(value * light, 0.0, 255.0)));
     };
     return {channel(colour.red), channel(colour.green), channel(colour.blue), colour.alpha};
+}
+
+// Stretches of a ring that are stroked, where not all of it is: from which point on, and how many edges.
+template <class Visit>
+void visit_runs(const std::vector<char>& stroked, const Visit& visit) {
+    const std::size_t count = stroked.size();
+    const auto gap = static_cast<std::size_t>(std::find(stroked.begin(), stroked.end(), 0) - stroked.begin());
+    for (std::size_t i = 1, run = 0; i < count; i += run + 1) {
+        run = 0;
+        while (i + run < count && stroked[(gap + i + run) % count] != 0) ++run;
+        if (run > 0) visit((gap + i) % count, run);
+    }
 }
 
 // Pieces to shapes of a drawing.
@@ -181,17 +55,24 @@ public:
         places_.reserve(pieces.corners.size());
         for (const PieceCorner& corner : pieces.corners) places_.push_back(projected(camera, corner.at));
         widths_.reserve(pieces.pieces.size());
+        strokes_.reserve(pieces.corners.size());
         const std::vector<double> pens = pens_of_lines(camera);
         for (const Piece& piece : pieces.pieces) widths_.push_back(piece.is_line ? pens[piece.source] : 0);
+        for (std::uint32_t i = 0; i < pieces.pieces.size(); ++i) add_strokes(i);
     }
 
     Drawing draw(std::span<const std::uint32_t> order) && {
-        for (const std::uint32_t piece : rejoined(pieces_, order, places_, widths_)) {
-            if (pieces_.pieces[piece].is_line) {
-                draw_line(piece);
+        const auto hulls = [&](CutEnds ends) { return picture_hulls(pieces_, places_, widths_, ends); };
+        const std::vector<std::uint32_t> whole = rejoined(pieces_, order, hulls(CutEnds::shorter));
+        const std::vector<StrokeAgain> again = strokes_again(pieces_, whole, places_, hulls(CutEnds::whole), strokes_);
+        auto next = again.begin();
+        for (std::uint32_t place = 0; place < whole.size(); ++place) {
+            if (pieces_.pieces[whole[place]].is_line) {
+                draw_line(whole[place]);
             } else {
-                draw_face(piece);
+                draw_face(whole[place]);
             }
+            for (; next != again.end() && next->place == place; ++next) draw_again(*next);
         }
         const auto count = static_cast<std::uint32_t>(drawing_.shapes.size());
         drawing_.groups.push_back({options_.path, 0, count, 0, 0, {}});
@@ -201,6 +82,19 @@ public:
     }
 
 private:
+    // Pieces come in the order of their corners.
+    void add_strokes(std::uint32_t number) {
+        const Piece& piece = pieces_.pieces[number];
+        for (const PieceCorner& corner : corners_of(pieces_, number)) {
+            double pen = 0;
+            if (!piece.is_line && corner.edge != no_edge && drawn_[corner.edge] != 0) {
+                const Material& made_of = material(mesh_.faces[piece.source].origin);
+                if (made_of.edge && made_of.pen > 0) pen = made_of.pen + options_.seam_pen;
+            }
+            strokes_.push_back(pen);
+        }
+    }
+
     // Of one line everywhere the same, so that its pieces fit together.
     std::vector<double> pens_of_lines(const Camera& camera) const {
         std::vector<double> pens;
@@ -234,19 +128,13 @@ private:
         const MeshFace& face = mesh_.faces[piece.source];
         set_ring(number);
         if (!is_thick()) return;
-        bool any_stroked = false, all_stroked = true;
         const Material& made_of = material(face.origin);
-        for (const char stroked : stroked_) {
-            any_stroked = any_stroked || stroked != 0;
-            all_stroked = all_stroked && stroked != 0;
-        }
-        if (!made_of.edge) any_stroked = all_stroked = false;
-
+        const bool is_stroked = std::find(stroked_.begin(), stroked_.end(), 0) == stroked_.end();
         const Plane3& plane = pieces_.planes[piece.plane];
         const Colour fill = shaded(made_of.fill, light_on(plane.normal, side_of(viewer_, plane) < 0));
         Style style;
         style.fill = fill;
-        if (all_stroked) {
+        if (is_stroked) {
             style.stroke = made_of.edge;
             style.pen = made_of.pen;
         } else if (fill.alpha == 255 && options_.seam_pen > 0) {
@@ -259,25 +147,32 @@ private:
             geometry_.points.insert(geometry_.points.end(), ring_.begin(), ring_.end());
         }
         add_shape(style, face.origin.element);
-        if (any_stroked && !all_stroked) draw_edges(made_of, face.origin.element);
+
+        if (is_stroked) return;
+        const Style edges = edge_style(made_of);
+        visit_runs(stroked_, [&](std::size_t first, std::size_t count) {
+            for (std::size_t i = 0; i <= count; ++i) geometry_.points.push_back(ring_[(first + i) % ring_.size()]);
+            add_shape(edges, face.origin.element);
+        });
     }
 
-    // In runs that begin behind an edge that is not stroked.
-    void draw_edges(const Material& made_of, Key element) {
+    static Style edge_style(const Material& made_of) {
         Style style;
         style.stroke = made_of.edge;
         style.pen = made_of.pen;
         style.is_open = true;
-        const std::size_t count = ring_.size();
-        std::size_t start = 0;
-        while (stroked_[start] != 0) ++start;
-        bool is_drawing = false;
-        for (std::size_t i = 1; i <= count; ++i) {
-            const std::size_t at = (start + i) % count;
-            if (is_drawing || stroked_[at] != 0) geometry_.points.push_back(ring_[at]);
-            if (is_drawing && stroked_[at] == 0) add_shape(style, element);
-            is_drawing = stroked_[at] != 0;
+        return style;
+    }
+
+    void draw_again(const StrokeAgain& stroke) {
+        const MeshOrigin& origin = mesh_.faces[pieces_.pieces[stroke.piece].source].origin;
+        ring_.clear();
+        for (const Vec place : stroke.line) {
+            if (is_on_plane(place)) add_point(snap(place));
         }
+        if (ring_.size() < 2) return;
+        geometry_.points.insert(geometry_.points.end(), ring_.begin(), ring_.end());
+        add_shape(edge_style(material(origin)), origin.element);
     }
 
     void draw_line(std::uint32_t number) {
@@ -318,33 +213,29 @@ private:
 
     // The piece in the picture, without points that lie too near to the one before.
     void set_ring(std::uint32_t number) {
-        const std::span<const PieceCorner> corners = corners_of(pieces_, number);
-        const bool is_line = pieces_.pieces[number].is_line;
+        const Piece& piece = pieces_.pieces[number];
         ring_.clear();
         stroked_.clear();
-        const auto is_next_to = [](Point a, Point b) {
-            return std::abs(a.x - b.x) < least_step && std::abs(a.y - b.y) < least_step;
-        };
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            const Vec place = places_[pieces_.pieces[number].first + i];
-            if (!is_on_plane(place)) {
+        for (std::uint32_t i = piece.first; i < piece.first + piece.count; ++i) {
+            if (!is_on_plane(places_[i])) {
                 ring_.clear();
                 return;
             }
-            const Point p = snap(place);
-            const bool is_edge = !is_line && corners[i].edge != no_edge;
-            const char is_stroked = is_edge ? drawn_[corners[i].edge] : 0;
-            if (!ring_.empty() && is_next_to(ring_.back(), p)) {
-                stroked_.back() = is_stroked;
-                continue;
-            }
-            ring_.push_back(p);
-            stroked_.push_back(is_stroked);
+            add_point(snap(places_[i]));
+            stroked_.resize(ring_.size());
+            stroked_.back() = strokes_[i] > 0 ? 1 : 0;
         }
-        while (!is_line && ring_.size() > 1 && is_next_to(ring_.back(), ring_.front())) {
+        while (!piece.is_line && ring_.size() > 1 && are_near(ring_.back(), ring_.front())) {
             ring_.pop_back();
             stroked_.pop_back();
         }
+    }
+
+    void add_point(Point p) {
+        if (ring_.empty() || !are_near(ring_.back(), p)) ring_.push_back(p);
+    }
+    static bool are_near(Point a, Point b) {
+        return std::abs(a.x - b.x) < least_step && std::abs(a.y - b.y) < least_step;
     }
 
     bool is_thick() const {
@@ -392,8 +283,9 @@ private:
     const Viewer viewer_;
     const Vec3 light_;
     const double ambient_;
-    std::vector<Vec> places_;     // of the pieces' corners in the picture
-    std::vector<double> widths_;  // of the pieces
+    std::vector<Vec> places_;      // of the pieces' corners in the picture
+    std::vector<double> widths_;   // of lines, by pieces
+    std::vector<double> strokes_;  // pens of edges and a seam's, by the pieces' corners
     std::vector<Point> ring_;
     std::vector<char> stroked_;  // from each point of the ring on
     Polygons geometry_;
@@ -407,8 +299,7 @@ private:
 Result<Drawing> solid_view(const Mesh& mesh, std::span<const Material> materials, const View& view,
                            const SolidViewOptions& options) {
     const Camera camera = camera_of(view, mesh);
-    Preparation ready(mesh, camera);
-    ready.prepare();
+    MeshPieces ready = mesh_pieces(mesh, camera);
     const auto order = painters_order(ready.pieces, ready.whole, viewer_of(camera), options.most_pieces);
     if (!order) return order.diagnostics();
     const std::vector<char> drawn = drawn_edges(mesh, ready.looks, options.crease);

@@ -3,11 +3,12 @@
 // Faces of solids are seen from outside only; sheets from both sides. Faces and lines that hide each other in part, or
 // pass through each other, are cut (space/painters_order.h), and made whole again where the picture allows it
 // (space/rejoin.h). Strokes go along edges of faces only, never along cuts: along outlines and creases, that is, where
-// a face has no neighbour, one that looks away, or one at a sharp angle. Opaque pieces without strokes all around are
-// drawn with a thin pen of their own colour as well, so that no seam shows between them.
+// a face has no neighbour, one that looks away, or one at a sharp angle; and once more over what would cover half of
+// them (space/stroke_again.h). Opaque pieces that are not stroked all around are drawn with a thin pen of their own
+// colour as well, so that no seam shows between them.
 //
-// Pieces of one face share the key of its element, as lines do. Faces that are seen edge-on are left out, and so is
-// what has no extent or lies outside the plane's limits; lines along an edge are drawn over faces.
+// All shapes of an element have its key. Lines have no thickness where they meet faces: one that lies in a face is
+// drawn over it, one that passes behind is cut square where it does.
 #pragma once
 
 #include <cstdint>

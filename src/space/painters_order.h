@@ -1,6 +1,5 @@
 // Painter's order in space: convex polygons and stretches of lines so ordered, and where needed so cut, that each may
-// be painted over those before it (Fuchs, Kedem and Naylor, "On visible surface generation by a priori tree
-// structures", SIGGRAPH 1980).
+// be painted over those before it (Fuchs, Kedem and Naylor 1980).
 //
 // The space is halved by planes until what is left lies in one: what is on the viewer's side of a plane is painted
 // after what lies in it, and that after the rest. Planes are those of pieces, for lines the plane through each that
