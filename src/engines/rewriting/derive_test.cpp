@@ -109,6 +109,12 @@ TEST(Derive, RulesAskForAttributes) {
     EXPECT_EQ(words("axiom \"a\"\na -> \"ab\" loop 1\na -> \"ac\" loop t\na -> \"d\" loop 1", 4), "a ab acb accb dccb");
 }
 
+TEST(Derive, FreezesAreCounted) {
+    EXPECT_EQ(words("register k 2\naxiom \"a{3}=\"\na -> \"ab{$k} = c{(k - 2)}=\"", 4), "a=== a== a= a ab==c");
+    EXPECT_EQ(words("axiom \"{2 a{2}=}{3}b\"", 0), "a==a==b") << "braces without anything to repeat";
+    EXPECT_EQ(words("axiom \"{2}=a\"", 0), "a") << "behind nothing";
+}
+
 TEST(Derive, ExpressionsAreCheckedBeforehand) {
     const std::string head = "axiom \"a\"\nregister k 0\n";
     EXPECT_EQ(words(head + "a -> \"b\" when agee > 2", 0), "language.unknown-name");

@@ -50,6 +50,7 @@ private:
             Pattern::Part part;
             if (!read_count(part.count) || !read_parts(part.repeated, depth + 1)) return false;
             if (next_ == letters_.size()) return fail("rewriting.unmatched-brace", "found '{' without its '}'");
+            if (part.repeated.empty() && is_freeze_next()) part.repeated.push_back({U"=", nullptr, {}});
             parts.push_back(std::move(part));
         }
         put();
@@ -87,6 +88,15 @@ private:
                         "the number of repeats is no expression: " + parsed.diagnostics().front().message);
         }
         count = std::move(*parsed);
+        return true;
+    }
+
+    // Whether the '}' is followed by a '=', which is taken then.
+    bool is_freeze_next() {
+        std::size_t behind = next_ + 1;
+        while (behind < letters_.size() && is_blank(letters_[behind])) ++behind;
+        if (behind == letters_.size() || letters_[behind] != U'=') return false;
+        next_ = behind;
         return true;
     }
 

@@ -1,5 +1,6 @@
 // Texts of letters as documents write them, with patterns that repeat: {3b+c}bbb is b+cb+cb+cbbb ("{,}" of Roncoroni
-// and Crousse). Repeats nest; a missing number is 1, and with 0 or less nothing is put.
+// and Crousse). Repeats nest; a missing number is 1, and with 0 or less nothing is put. Braces around a number alone
+// are for the '=' behind them: a{3}= is a===.
 #pragma once
 
 #include <functional>
