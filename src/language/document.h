@@ -136,6 +136,17 @@ struct CellStatement {
     std::vector<ExpressionPtr> indexes;
     Name text;
 };
+// mask a@2, "b+" when depth > 2, or sleep a until age > 3: symbols that stay as they are, in these iterations, where
+// the condition holds, or as long as it does not
+struct RestStatement {
+    struct Symbols {
+        Name text;
+        std::uint32_t first = 1, last = UINT32_MAX;
+    };
+    bool is_until = false;
+    std::vector<Symbols> symbols;
+    ExpressionPtr condition;  // null if absent, which may be in a mask
+};
 // angle 30: what is said of words in one form, a name and values (word_settings.h)
 struct SettingStatement {
     Name name;
@@ -210,7 +221,7 @@ struct Statement {
                  IncludeStatement, ParamStatement, LetStatement, PageStatement, LimitStatement, SymmetryStatement,
                  PaletteStatement, StartStatement, StyleStatement, GroupRule, PresetStatement, KeepStatement,
                  RerollStatement, ApplyStatement, SystemStatement, OperatorStatement, WordRule, MacroStatement,
-                 CellStatement, SettingStatement>
+                 CellStatement, SettingStatement, RestStatement>
         node;
 };
 

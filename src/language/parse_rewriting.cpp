@@ -81,7 +81,9 @@ std::optional<Statement> Parser::read_word_statement() {
     Statement statement;
     const Token first = peek();
     const bool is_name = first.kind == TokenKind::name;
-    if (is_name && find_word_setting(bytes_of(first)) != nullptr) {
+    if (is_name && (bytes_of(first) == "mask" || bytes_of(first) == "sleep")) {
+        if (auto rest = read_rest()) statement.node = std::move(*rest);
+    } else if (is_name && find_word_setting(bytes_of(first)) != nullptr) {
         if (auto setting = read_setting()) statement.node = std::move(*setting);
     } else if (is_name && is_cell(first)) {
         std::optional<Name> array = read_name("an array");
@@ -122,6 +124,35 @@ std::optional<SettingStatement> Parser::read_setting() {
         accept(TokenKind::comma);
     } while (!at_statement_end());
     return setting;
+}
+
+// mask SYMBOLS[@iterations], ... [when condition], or sleep SYMBOLS, ... until condition
+std::optional<RestStatement> Parser::read_rest() {
+    RestStatement rest;
+    const Token keyword = take();
+    rest.is_until = bytes_of(keyword) == "sleep";
+    const std::string example = "write it as in '" + std::string(find_word_setting(bytes_of(keyword))->example) + "'";
+    do {
+        RestStatement::Symbols symbols;
+        if (at(TokenKind::text)) {
+            std::optional<std::string> text = read_text("symbols", symbols.text.span);
+            if (!text) return std::nullopt;
+            symbols.text.text = with_tildes(std::move(*text));
+        } else {
+            std::optional<Name> symbol = read_symbol("a symbol");
+            if (!symbol) return std::nullopt;
+            symbols.text = std::move(*symbol);
+        }
+        if (accept_sign('@') && !read_iterations(symbols.first, symbols.last)) return std::nullopt;
+        rest.symbols.push_back(std::move(symbols));
+    } while (accept(TokenKind::comma));
+    const std::string_view clause = rest.is_until ? "until" : "when";
+    if (rest.is_until && !at_word(clause)) {
+        fail_expected("language.missing-condition", "'until' and a condition", {example});
+        return std::nullopt;
+    }
+    if (!read_clauses({{clause, rest.condition}})) return std::nullopt;
+    return rest;
 }
 
 // R = random 1..8 "abbccc" [unique]
@@ -273,7 +304,7 @@ std::optional<WordRule> Parser::read_word_rule(Name symbols) {
                            rule.symbol.span, {"what stands around it is written 'left < symbol > right'"}));
         return std::nullopt;
     }
-    if (accept_sign('@') && !read_iterations(rule)) return std::nullopt;
+    if (accept_sign('@') && !read_iterations(rule.first, rule.last)) return std::nullopt;
     if (!accept(TokenKind::arrow)) {
         fail_expected("language.missing-arrow", "'->'", {std::string(rule_example)});
         return std::nullopt;
@@ -286,15 +317,15 @@ std::optional<WordRule> Parser::read_word_rule(Name symbols) {
 }
 
 // 3, or 2..5
-bool Parser::read_iterations(WordRule& rule) {
-    const std::optional<std::uint32_t> first = read_iteration();
-    if (!first) return false;
-    rule.first = rule.last = *first;
+bool Parser::read_iterations(std::uint32_t& first, std::uint32_t& last) {
+    const std::optional<std::uint32_t> low = read_iteration();
+    if (!low) return false;
+    first = last = *low;
     if (!accept(TokenKind::range)) return true;
-    const std::optional<std::uint32_t> last = read_iteration();
-    if (!last) return false;
-    rule.last = *last;
-    if (rule.last >= rule.first) return true;
+    const std::optional<std::uint32_t> high = read_iteration();
+    if (!high) return false;
+    last = *high;
+    if (last >= first) return true;
     fail(peek(), error("language.empty-range", "this range of iterations is empty", span_from(taken_end_ - 1)));
     return false;
 }

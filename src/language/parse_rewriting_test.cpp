@@ -58,6 +58,20 @@ TEST(ParseRewriting, SettingsMacrosAndCells) {
     EXPECT_EQ(understood("param k = 3 in 1..9"), "param k = 3 in (1 .. 9)");
 }
 
+TEST(ParseRewriting, MasksAndSleep) {
+    EXPECT_EQ(understood("mask a@2, \"b+\" @ 3..5 when depth > 2"), "mask \"a\"@2..2, \"b+\"@3..5 when (depth > 2)");
+    EXPECT_EQ(understood("mask ~n, +"), "mask \"\u00F1\", \"+\"");
+    EXPECT_EQ(understood("sleep a, q until age > 3"), "sleep \"a\", \"q\" until (age > 3)");
+    EXPECT_EQ(understood("sleep a"), "language.missing-condition@");
+    EXPECT_EQ(understood("sleep a when age > 3"), "language.missing-condition@when");
+    EXPECT_EQ(understood("mask a until age > 3"), "language.unexpected-token@until");
+    EXPECT_EQ(understood("mask a b"), "language.unexpected-token@b");
+    EXPECT_EQ(understood("mask a@0"), "language.missing-iteration@0");
+    EXPECT_EQ(understood("mask a@3..2"), "language.empty-range@2");
+    EXPECT_EQ(understood("mask"), "language.missing-symbol@");
+    EXPECT_EQ(understood("mask a,"), "language.missing-symbol@");
+}
+
 TEST(ParseRewriting, WhatIsWrong) {
     EXPECT_EQ(understood("a -> ab"), "language.missing-word@ab");
     EXPECT_EQ(understood("a -> \"ab\","), "language.missing-word@");

@@ -173,7 +173,8 @@ private:
     std::optional<MacroStatement> read_macro(Name symbol);
     std::optional<CellStatement> read_cell(Name array);
     bool read_indexes(std::vector<ExpressionPtr>& indexes);
-    bool read_iterations(WordRule& rule);
+    std::optional<RestStatement> read_rest();
+    bool read_iterations(std::uint32_t& first, std::uint32_t& last);
     std::optional<std::uint32_t> read_iteration();
     bool read_word_successors(WordRule& rule);
     std::optional<WordSuccessor> read_word_successor();

@@ -178,10 +178,7 @@ struct StatementUnparser {
         std::string result = node.left.text.empty() ? "" : unparse_text(node.left.text) + " < ";
         result += unparse_text(node.symbol.text);
         if (!node.right.text.empty()) result += " > " + unparse_text(node.right.text);
-        if (node.last != UINT32_MAX) {
-            result += "@" + to_text(std::uint64_t{node.first}) + ".." + to_text(std::uint64_t{node.last});
-        }
-        result += " -> ";
+        result += iterations(node.first, node.last) + " -> ";
         for (const WordSuccessor& successor : node.successors) {
             if (&successor != &node.successors.front()) result += ", ";
             if (successor.text) result += unparse_text(successor.text->text);
@@ -207,6 +204,14 @@ struct StatementUnparser {
     std::string operator()(const CellStatement& node) const {
         return node.array.text + indexes(node.indexes) + " -> " + unparse_text(node.text.text);
     }
+    std::string operator()(const RestStatement& node) const {
+        std::string result = node.is_until ? "sleep " : "mask ";
+        for (const RestStatement::Symbols& symbols : node.symbols) {
+            if (&symbols != &node.symbols.front()) result += ", ";
+            result += unparse_text(symbols.text.text) + iterations(symbols.first, symbols.last);
+        }
+        return result + with(node.is_until ? "until" : "when", node.condition);
+    }
     std::string operator()(const SettingStatement& node) const {
         std::string result = node.name.text;
         for (const ExpressionPtr& value : node.values) {
@@ -216,6 +221,10 @@ struct StatementUnparser {
     }
 
 private:
+    static std::string iterations(std::uint32_t first, std::uint32_t last) {
+        if (last == UINT32_MAX) return "";
+        return "@" + to_text(std::uint64_t{first}) + ".." + to_text(std::uint64_t{last});
+    }
     static std::string indexes(const std::vector<ExpressionPtr>& list) {
         std::string result;
         for (const ExpressionPtr& index : list) result += "[" + unparse(index) + "]";

@@ -1,5 +1,5 @@
-// What a rewriting document says of its words in one form, NAME and values: the closed table that the parser, its
-// messages and the reference read.
+// What a rewriting document says of its words in one form, NAME and values; `mask` and `sleep` have clauses besides.
+// The closed table that the parser, its messages and the reference read.
 #pragma once
 
 #include <span>

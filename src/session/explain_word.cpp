@@ -31,6 +31,8 @@ FateText text_of(Fate fate) {
             return {"kept", "kept, since no rule applies"};
         case Fate::asleep:
             return {"asleep", "kept, since it sleeps"};
+        case Fate::resting:
+            return {"resting", "kept by a mask or a sleep"};
         case Fate::at_rest:
             return {"at-rest", "kept, since the iterations of its system are over"};
         case Fate::counted:

@@ -27,13 +27,16 @@ public:
         const std::size_t known = derivation_.alphabet.size();
         plan_.entries.resize(known);
         candidates_.resize(known);
+        rests_.resize(known);
         const std::array<bool, max_symbols> stands = symbols_in(derivation_.word, known);
-        bool must_decide = false;
+        bool must_decide = false, may_rest = false;
         for (std::size_t s = 0; s < known; ++s) {
             if (!stands[s]) continue;
             if (!plan_symbol(static_cast<Symbol>(s))) return std::move(*match_.problem);
+            may_rest = may_rest || plan_.entries[s].may_rest;
             must_decide = must_decide || plan_.entries[s].image == StepPlan::decided;
         }
+        if (may_rest && !find_resting()) return std::move(*match_.problem);
         if (must_decide && !decide_all()) return std::move(*match_.problem);
         derivation_.registers = std::move(registers_);
         return std::move(plan_);
@@ -51,6 +54,8 @@ private:
         StepPlan::Entry& planned = plan_.entries[symbol];
         if (entry.role == Role::freeze || !match_.is_running(entry.scope)) return true;
         const System& system = match_.system_of(entry.scope);
+        rests_[symbol] = match_.rests_of(entry.scope, entry.letter);
+        planned.may_rest = !rests_[symbol].empty();
         switch (entry.role) {
             case Role::counter: {
                 planned.kind = Kind::count;
@@ -65,11 +70,13 @@ private:
             case Role::self:
                 planned.kind = Kind::repeat;
                 return true;
-            case Role::macro:
-                planned = {Kind::put, StepPlan::decided, 0};
-                return true;
             case Role::subsystem:
-                return plan_subsystem(entry, planned);
+                if (!system_named(entry.letter)) return true;
+                [[fallthrough]];
+            case Role::macro:
+                planned.kind = Kind::put;
+                planned.image = StepPlan::decided;
+                return true;
             default:
                 break;
         }
@@ -187,18 +194,16 @@ private:
         return std::nullopt;
     }
 
-    bool plan_subsystem(const SymbolEntry& entry, StepPlan::Entry& planned) {
-        const std::optional<std::uint32_t> system = system_named(entry.letter);
-        if (!system) return true;
-        planned = {Kind::put, StepPlan::decided, 0};
-        if (!grammar_.systems[*system].grows) return true;
+    // The axiom of a system that grows, as symbols of a scope of its own: once an iteration, and only where one is put.
+    std::optional<std::uint32_t> begun(std::uint32_t system, Symbol symbol) {
+        const auto known = begun_.find(symbol);
+        if (known != begun_.end()) return known->second;
         const auto scope = static_cast<std::uint32_t>(derivation_.scopes.size());
-        derivation_.scopes.push_back({*system, match_.next_iteration()});
+        derivation_.scopes.push_back({system, match_.next_iteration()});
         const std::optional<std::uint32_t> image =
-            image_of_pattern(grammar_.systems[*system].axiom, scope, match_.names());
-        if (!image) return false;
-        planned.image = *image;
-        return true;
+            image_of_pattern(grammar_.systems[system].axiom, scope, match_.names());
+        if (image) begun_.emplace(symbol, *image);
+        return image;
     }
 
     // The word of a system after all its iterations, as letters of the system that puts it.
@@ -229,6 +234,21 @@ private:
 
     // --- decisions ---
 
+    bool find_resting() {
+        const std::vector<Symbol>& symbols = derivation_.word.symbols;
+        plan_.resting.resize(symbols.size());
+        for (std::size_t place = 0, index = 0; place < symbols.size(); ++place) {
+            if (symbols[place] == Alphabet::freeze) continue;
+            const std::vector<const Rest*>& rests = rests_[symbols[place]];
+            std::optional<const Rest*> rest = nullptr;
+            if (!rests.empty()) rest = match_.rest_of(rests, {place, index});
+            if (!rest) return false;
+            plan_.resting[place] = *rest != nullptr ? 1 : 0;
+            ++index;
+        }
+        return true;
+    }
+
     bool decide_all() {
         const Word& word = derivation_.word;
         const std::vector<Symbol>& symbols = word.symbols;
@@ -237,7 +257,7 @@ private:
             const Symbol symbol = symbols[place];
             const std::size_t freezes = freezes_behind(symbols, place);
             const StepPlan::Entry& entry = plan_.entries[symbol];
-            const bool is_awake = !is_asleep(derivation_.alphabet[symbol], freezes);
+            const bool is_awake = !is_asleep(derivation_.alphabet[symbol], freezes) && !plan_.rests(place);
             if (entry.image == StepPlan::decided && is_awake) {
                 const std::optional<std::uint32_t> image = decide(symbol, place, index, freezes > 0);
                 if (!image) return false;
@@ -252,7 +272,9 @@ private:
         const SymbolEntry entry = derivation_.alphabet[symbol];
         if (entry.role == Role::macro) return decide_macro(entry, index, recalls);
         if (entry.role == Role::subsystem) {
-            return grown(*system_named(entry.letter), entry.scope, match_.bits_at(index, 0, index, 0));
+            const std::uint32_t system = *system_named(entry.letter);
+            if (grammar_.systems[system].grows) return begun(system, symbol);
+            return grown(system, entry.scope, match_.bits_at(index, 0, index, 0));
         }
         for (const Rule* rule : candidates_[symbol]) {
             const std::optional<Verdict> verdict = match_.verdict_of(*rule, {place, index});
@@ -319,7 +341,9 @@ private:
     StepPlan plan_;
     std::vector<Register> registers_;                   // behind the iteration
     std::vector<std::vector<const Rule*>> candidates_;  // by symbol
+    std::vector<std::vector<const Rest*>> rests_;       // likewise
     std::map<std::pair<std::uint32_t, const Successor*>, std::uint32_t> images_of_;
+    std::map<Symbol, std::uint32_t> begun_;  // images of axioms, by the symbol that they are put for
     std::optional<std::uint32_t> kept_;
     std::map<std::pair<std::uint32_t, char32_t>, std::uint64_t> drawn_;  // so far in this iteration
 };

@@ -31,10 +31,14 @@ struct StepPlan {
         Kind kind = Kind::keep;
         std::uint32_t image = 0;  // put, multiply, follow: index into `images`, or `decided`: the next of `decisions`
         std::uint32_t gain = 0;   // count: by how much
+        bool may_rest = false;    // some of these symbols may stay as they are, whatever the rest says
     };
     std::vector<Entry> entries;  // by symbol
     std::vector<Image> images;
     std::vector<std::uint32_t> decisions;  // images of the symbols to be decided that are awake, in the word's order
+    std::vector<std::uint8_t> resting;     // by place: whether the symbol there rests; empty where none can
+
+    bool rests(std::size_t place) const { return !resting.empty() && resting[place] != 0; }
 };
 
 // Plans the next iteration: advances rows, decides what must be decided, and makes what it assigns. The derivation's

@@ -115,6 +115,32 @@ TEST(Derive, FreezesAreCounted) {
     EXPECT_EQ(words("axiom \"{2}=a\"", 0), "a") << "behind nothing";
 }
 
+TEST(Derive, SymbolsSleepUntilAConditionHolds) {
+    EXPECT_EQ(words("axiom \"ab\"\nsleep a until t > 2\na -> \"aa\"\nb -> \"bb\"", 3), "ab abb abbbb aabbbbbbbb");
+    // Also those that no rule rewrites; a sleeping member ends a run and holds it.
+    EXPECT_EQ(words("axiom \"qqbq\"\nsleep q until index > 2", 2), "qqbq qqbqq qqbqqq");
+    EXPECT_EQ(words("axiom \"aqq\"\nsleep q until index > 1", 1), "aqq aqqq") << "the first alone sleeps";
+    EXPECT_EQ(words("axiom \"qqi\"\nsleep i until t == 2", 2), "qqi qqqi qqi");
+    EXPECT_EQ(words("axiom \"as\"\nsleep s until t == 2", 2), "as as aas");
+    EXPECT_EQ(words("axiom \"R=a\"\nR = random 1 \"x\"\nsleep R until t == 3", 3), "R=a R=a R=a xa");
+    // '=' counts down as always.
+    EXPECT_EQ(words("axiom \"a==\"\nsleep a until t == 2\na -> \"b\"", 4), "a== a= a a a");
+    EXPECT_EQ(words("axiom \"nn\"\nn -> \"a\"\nsleep n until index > 0", 1), "nn naa") << "it is counted all the same";
+}
+
+TEST(Derive, MasksKeepSymbols) {
+    EXPECT_EQ(words("axiom \"ab\"\na -> \"aa\"\nb -> \"bb\"\nmask a@2", 3), "ab aabb aabbbb aaaabbbbbbbb");
+    EXPECT_EQ(words("axiom \"a[a[ab]]\"\na -> \"c\"\nb -> \"c\"\nmask \"ab\" when depth > 1", 1), "a[a[ab]] c[c[ab]]");
+    EXPECT_EQ(words("axiom \"ab\"\na -> \"x\"\nb -> \"y\"\nmask a@1, b@2..3 when true\nmask b@1", 4), "ab ab xb xb xy");
+    // Rows go on under a mask.
+    EXPECT_EQ(words("axiom \"a\"\na -> \"ab\" loop 1\na -> \"ac\" loop 1\nmask a@1", 2), "a a ac");
+    EXPECT_EQ(words("axiom \"B\"\nsystem B { axiom \"a\"; a -> \"aa\"; mask a@1; mode grow; iterations 2 }", 3),
+              "B a a aa");
+    EXPECT_EQ(words("axiom \"a\"\nmask a when agee > 1", 0), "language.unknown-name");
+    EXPECT_EQ(words("axiom \"a\"\nmask \"=\"", 0), "rewriting.bad-letter");
+    EXPECT_EQ(words("axiom \"a\"\nsleep a until \"b\"", 0), "language.wrong-kind");
+}
+
 TEST(Derive, ExpressionsAreCheckedBeforehand) {
     const std::string head = "axiom \"a\"\nregister k 0\n";
     EXPECT_EQ(words(head + "a -> \"b\" when agee > 2", 0), "language.unknown-name");
@@ -144,6 +170,9 @@ TEST(Derive, SubsystemsAtOnceAndGrowing) {
     EXPECT_EQ(words(inner + " }", 2), "aAb aacdddb aaaacdddb");
     EXPECT_EQ(words(inner + "; mode grow }", 5),
               "aAb aacb aaaacdb aaaaaaaacddb aaaaaaaaaaaaaaaacdddb aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaacdddb");
+    // A system that waits takes up nothing.
+    const std::string waits = "system B { axiom \"abcd\"; mode grow }\naxiom \"B\"\nsleep B until t > 150";
+    EXPECT_EQ(words(waits, 151).substr(2 * 150), "B abcd");
     EXPECT_EQ(words("axiom \"A\"\nsystem A { axiom \"A\"; system A { axiom \"a\" } }", 1), "rewriting.doubled-name");
 }
 
@@ -208,8 +237,9 @@ TEST(Derive, PlainGrammarsAreSubstitutions) {
         ASSERT_EQ(stepped->iteration, at_once->iteration);
     }
     EXPECT_GT(compared, case_count() / 2);
-    for (const char* other : {"axiom \"a=\"", "axiom \"q\"", "axiom \"a\"\na@2 -> \"b\"", "axiom \"a\"\na -> \"s\"",
-                              "axiom \"a\"\na -> \"b\", \"c\"", "axiom \"a\"\na < a -> \"b\""}) {
+    for (const char* other :
+         {"axiom \"a=\"", "axiom \"q\"", "axiom \"a\"\na@2 -> \"b\"", "axiom \"a\"\na -> \"s\"",
+          "axiom \"a\"\nmask a@2", "axiom \"a\"\na -> \"b\", \"c\"", "axiom \"a\"\na < a -> \"b\""}) {
         const Read said = read(other);
         Result<Derivation> derivation = begin(said.grammar, {});
         ASSERT_TRUE(derivation);

@@ -96,6 +96,12 @@ Result<SymbolMoment> moment_of(Derivation& derivation, const Grammar& grammar, c
     moment.fate = moment.turns > 0                 ? Fate::asleep
                   : !match.is_running(entry.scope) ? Fate::at_rest
                                                    : fate_of_role(entry, freezes, derivation);
+    const bool is_awake = moment.fate != Fate::asleep && moment.fate != Fate::at_rest;
+    if (has_advanced && is_awake) {
+        const std::optional<const Rest*> rest = match.rest_of(match.rests_of(entry.scope, entry.letter), symbol);
+        if (rest) moment.rest = *rest;
+        if (moment.rest != nullptr) moment.fate = Fate::resting;
+    }
     const bool may_be_rewritten = moment.fate == Fate::kept;
     if (has_advanced && (may_be_rewritten || is_last)) {
         if (const Derivation::Row* row = match.row_of(entry.scope, entry.letter)) moment.row = *row;

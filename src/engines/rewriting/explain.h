@@ -20,6 +20,7 @@ enum class Fate : std::uint8_t {
     rewritten,  // by a rule
     kept,       // no rule applies, or none of its successors has a weight
     asleep,     // '=' behind it
+    resting,    // by a mask or a sleep
     at_rest,    // the iterations of its system are over
     counted,    // in a run that grows or shrinks
     inverted,   // it makes the run before it shrink, or has none
@@ -48,6 +49,7 @@ struct SymbolMoment {
     std::uint32_t clock = 0;  // the number of the next iteration, as its system counts
     Fate fate = Fate::kept;
     const Rule* rule = nullptr;          // rewritten: by which
+    const Rest* rest = nullptr;          // resting: by which
     std::vector<RuleTrial> trials;       // all rules of its letter in their order; up to the applied one for ancestors
     std::optional<Derivation::Row> row;  // where they are rows: the one that serves, from 0
 };

@@ -42,6 +42,8 @@ TEST(Explain, SaysWhatComesOfASymbol) {
     EXPECT_EQ(fates("axiom \"a==\"\na -> \"ab\"", 3, 1), (std::vector{asleep, asleep, rewritten, kept}));
     EXPECT_EQ(fates("axiom \"qqqi\"", 1, 1), (std::vector{counted, counted}));
     EXPECT_EQ(fates("axiom \"qqi\"", 0, 2), (std::vector{inverted}));
+    EXPECT_EQ(fates("axiom \"a=\"\na -> \"b\"\nmask a@2", 2, 0), (std::vector{asleep, resting, rewritten}));
+    EXPECT_EQ(fates("axiom \"q\"\nsleep q until t > 1", 1, 0), (std::vector{resting, counted}));
     EXPECT_EQ(fates("axiom \"as\"\na -> \"b\"", 1, 1), (std::vector{repeated, rewritten}));
     const std::string macro = "R = random 2 \"ab\"\naxiom \"RR==\"\n";
     EXPECT_EQ(fates(macro, 1, 1), (std::vector{drawn, kept}));
@@ -148,7 +150,8 @@ TEST(Explain, AgreesWithTheDerivation) {
                 if (symbol != Alphabet::freeze) all += derivation->alphabet[symbol].letter;
             }
             ASSERT_EQ(moment.letter, all[moment.index]);
-            const bool stays = moment.fate == Fate::asleep || moment.fate == Fate::at_rest || moment.fate == Fate::kept;
+            const bool stays = moment.fate == Fate::asleep || moment.fate == Fate::resting ||
+                               moment.fate == Fate::at_rest || moment.fate == Fate::kept;
             if (stays && t < steps) {
                 ASSERT_EQ(explanation->moments[t + 1].letter, moment.letter) << described(grammar);
             }

@@ -60,6 +60,15 @@ struct Rule {
     SourceSpan span;
 };
 
+// mask a@2 when depth > 2, or sleep a until age > 3: a symbol that stays as it is, with all '=' behind it.
+struct Rest {
+    char32_t letter = 0;
+    std::uint32_t first = 1, last = every_iteration;
+    ExpressionPtr condition;  // null: always
+    bool is_until = false;    // it rests as long as the condition does not hold
+    SourceSpan span;
+};
+
 // R = random 1..8 "abbccc"
 struct Macro {
     char32_t letter = 0;
@@ -82,6 +91,7 @@ struct System {
     Roles roles;
     Pattern axiom;
     std::vector<Rule> rules;
+    std::vector<Rest> rests;
     std::vector<Macro> macros;
     std::vector<Gain> gains;  // 1 where nothing is said
     std::u32string ignored;   // letters that contexts look past

@@ -38,8 +38,9 @@ enum class Feature : std::uint8_t {
     assignments,
     repeats,
     freed_letters,
+    rests,
 };
-constexpr std::size_t feature_count = 17;
+constexpr std::size_t feature_count = 18;
 
 inline std::string letter_text(char32_t letter) { return to_utf8(std::u32string(1, letter)); }
 
@@ -183,7 +184,17 @@ private:
             const bool may = role == Role::ordinary || role == Role::ordinal || role == Role::follower;
             const bool is_rare = letter == U'c' || letter == U'+' || letter == U'i';
             if (may && chance(is_rare ? 20 : 85)) add_rules(system, letter, which);
+            if (chance(Feature::rests, 35)) add_rest(system, letter);
         }
+    }
+    void add_rest(System& system, char32_t letter) {
+        Rest rest;
+        rest.letter = letter;
+        if (chance(40)) rest.first = 1 + random_.below(4);
+        if (chance(40)) rest.last = rest.first + random_.below(3);
+        rest.is_until = random_.coin();
+        if (rest.is_until || chance(70)) rest.condition = expression(condition());
+        system.rests.push_back(rest);
     }
     void add_macro(System& system, char32_t letter, std::size_t which) {
         Macro macro;
@@ -337,6 +348,12 @@ inline std::string described(const System& system) {
                 to_utf8(macro.letters) + "\"" + (macro.is_unique ? " unique\n" : "\n");
     }
     for (const Rule& rule : system.rules) text += described(rule) + "\n";
+    for (const Rest& rest : system.rests) {
+        text += (rest.is_until ? "sleep " : "mask ") + letter_text(rest.letter) + "@" + number(rest.first) + ".." +
+                number(rest.last);
+        if (rest.condition) text += (rest.is_until ? " until " : " when ") + unparse(rest.condition);
+        text += "\n";
+    }
     return text;
 }
 inline std::string described(const Grammar& grammar) {

@@ -261,6 +261,9 @@ private:
             if (const auto* rule = std::get_if<WordRule>(&statement.node)) {
                 read_rule(*rule, statement.span, which, frees_braces);
             }
+            if (const auto* rest = std::get_if<RestStatement>(&statement.node)) {
+                read_rest(*rest, statement.span, grammar_.systems[which]);
+            }
         }
         if (axiom == nullptr) {
             const SourceSpan at = which == 0 ? settings_.engine_span : name.span;
@@ -379,6 +382,21 @@ private:
             const std::optional<char32_t> letter = letter_of(setting.values[i]);
             const std::optional<double> by = whole_of(setting.values[i + 1], 0, 1e9);
             if (letter && by) system.gains.push_back({*letter, static_cast<std::uint32_t>(*by)});
+        }
+    }
+
+    void read_rest(const RestStatement& said, SourceSpan span, System& system) {
+        if (said.condition) check_condition_of(said.condition);
+        for (const RestStatement::Symbols& symbols : said.symbols) {
+            const std::u32string letters = letters_of(symbols.text.text);
+            if (letters.empty() || letters.find(U'=') != std::u32string::npos) {
+                report(error("rewriting.bad-letter", "expected symbols that can stay as they are, not '=' or a blank",
+                             symbols.text.span));
+                continue;
+            }
+            for (const char32_t letter : letters) {
+                system.rests.push_back({letter, symbols.first, symbols.last, said.condition, said.is_until, span});
+            }
         }
     }
 

@@ -519,12 +519,36 @@ private:
         return change;
     }
 
+    // Whether a mask, or a sleep that is not over, holds it.
+    bool rests(std::size_t p) {
+        for (const Rest& rest : system_of(old_[p].instance).rests) {
+            const std::uint32_t now = clock(old_[p].instance);
+            if (rest.letter != old_[p].letter || now < rest.first || now > rest.last) continue;
+            if (!rest.condition) return true;
+            const std::optional<bool> holds = asking(p).flag(rest.condition);
+            if (!holds) {
+                fail(Outcome::wrong);
+                return true;
+            }
+            if (rest.is_until ? !*holds : *holds) return true;
+        }
+        return false;
+    }
+    Change untouched(std::size_t p) const {
+        Change change = copied(p);
+        Unit freeze;
+        freeze.letter = U'=';
+        if (old_[p].freezes > 0) change.put.push_back(freeze);
+        return change;
+    }
+
     Change change_of(std::size_t p) {
         const Unit& unit = old_[p];
         const Role role = system_of(unit.instance).roles.of(unit.letter);
         if (is_over(unit.instance)) return copied(p);
         if (role == Role::counter) return counted(p);
         if (unit.freezes > (role == Role::macro ? 1U : 0U)) return copied(p);
+        if (rests(p)) return untouched(p);
         if (unit.is_inverter) return copied(p);
         if (role == Role::self) return repeated(p);
         if (role == Role::macro) return replaced(p, units_of(macro_text(p), grammar_, unit.instance));
@@ -572,22 +596,22 @@ private:
         return replaced(p, whole);
     }
 
-    bool is_in_one_run(std::size_t left) const {  // with its right neighbour
+    bool is_in_one_run(std::size_t left) {  // with its right neighbour
         if (left + 1 >= old_.size()) return false;
         const Unit &a = old_[left], &b = old_[left + 1];
-        return a.letter == b.letter && a.instance == b.instance && a.freezes == 0;
+        return a.letter == b.letter && a.instance == b.instance && a.freezes == 0 && !rests(left);
     }
     Change counted(std::size_t p) {
         std::size_t first = p, last = p;
         while (first > 0 && is_in_one_run(first - 1)) --first;
         while (is_in_one_run(last)) ++last;
-        if (old_[last].freezes > 0) return copied(p);
+        if (old_[last].freezes > 0 || rests(last)) return copied(p);
         std::uint32_t gain = 1;
         for (const Gain& said : system_of(old_[p].instance).gains) {
             if (said.letter == old_[p].letter) gain = said.by;
         }
         const bool shrinks = last + 1 < old_.size() && old_[last + 1].is_inverter && old_[last + 1].freezes == 0 &&
-                             old_[last + 1].instance == old_[p].instance;
+                             !rests(last + 1) && old_[last + 1].instance == old_[p].instance;
         if (shrinks) return last - p < gain ? Change{} : copied(p);
         Change change = copied(p);
         if (p != last) return change;

@@ -23,6 +23,7 @@ QuickTable::QuickTable(const StepPlan& plan, const Alphabet& alphabet) {
         const bool is_counted = role == Role::ordinal || role == Role::follower;
         if (is_counted || (role == Role::macro && !is_kept)) continue;
         set(symbol, true, {symbol});
+        if (entry.may_rest) continue;
         if (role == Role::freeze) {
             set(symbol, false, {});
         } else if (is_kept) {
@@ -107,7 +108,7 @@ Measured measure(const Rewriting& in, std::size_t chunks_from) {
     Measured measured;
     Progress progress;
     Counting counting(in);
-    if (!has_columns(in.word) && in.word.size() >= std::max(chunks_from, ChunkTable::seen)) {
+    if (!has_columns(in.word) && in.plan.resting.empty() && in.word.size() >= std::max(chunks_from, ChunkTable::seen)) {
         measured.table.emplace(in);
         count_chunks(in, measured, progress, counting);
     }

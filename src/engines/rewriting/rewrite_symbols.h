@@ -85,19 +85,23 @@ inline std::size_t end_of_run(const std::vector<Symbol>& symbols, std::size_t pl
     return end;
 }
 
-// Looks at the run of q or g that stands at a place. Only its last member can be frozen, which ends the run and holds
-// it.
+// Looks at the run of q or g that stands at a place. Only its last member can be frozen or rest, which ends the run and
+// holds it.
 inline void meet_run(const Rewriting& in, std::size_t place, Progress& progress) {
     const std::vector<Symbol>& symbols = in.word.symbols;
     const Symbol symbol = symbols[place];
     const std::uint32_t gain = in.plan.entries[symbol].gain;
-    const std::size_t end = end_of_run(symbols, place);
+    std::size_t end = end_of_run(symbols, place);
+    for (std::size_t member = place; !in.plan.resting.empty() && member + 1 < end; ++member) {
+        if (in.plan.rests(member)) end = member + 1;
+    }
+    const bool is_held = in.has_freeze(end) || in.plan.rests(end - 1);
     const bool has_inverter = end < symbols.size() && in.plan.entries[symbols[end]].kind == StepPlan::Kind::invert &&
                               in.alphabet[symbols[end]].scope == in.alphabet[symbol].scope;
-    const bool shrinks = has_inverter && !in.has_freeze(end + 1);
+    const bool shrinks = !is_held && has_inverter && !in.has_freeze(end + 1) && !in.plan.rests(end);
     progress.run_end = end;
     progress.run_kept = shrinks ? end - std::min<std::size_t>(end, gain) : end;
-    progress.run_gain = shrinks || in.has_freeze(end) ? 0 : gain;
+    progress.run_gain = shrinks || is_held ? 0 : gain;
 }
 
 // The members of a run up to `end`, or where it ends before; returns where that was.
@@ -128,6 +132,11 @@ void rewrite_symbol(const Rewriting& in, std::size_t place, Progress& progress, 
     const std::size_t freezes = !in.has_freeze(place + 1) ? 0 : !in.has_freeze(place + 2) ? 1 : 2;  // or more
     const bool stays = entry.kind == Kind::keep || entry.kind == Kind::invert;
     if (stays || is_asleep(in.alphabet[symbol], freezes)) return out.keep(place, made_by);
+    if (in.plan.rests(place)) {
+        out.keep(place, made_by);
+        if (freezes > 0) out.put_freeze();  // what asks a macro to recall stays, too
+        return;
+    }
     if (entry.kind == Kind::repeat) return out.copy_all(place);
 
     const Image& image =

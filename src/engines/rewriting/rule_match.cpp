@@ -111,6 +111,27 @@ std::optional<const Rule*> RuleMatcher::first_rule(std::uint32_t scope, char32_t
     return found == rules.end() ? nullptr : *found;
 }
 
+// --- rests ---
+
+std::vector<const Rest*> RuleMatcher::rests_of(std::uint32_t scope, char32_t letter) const {
+    std::vector<const Rest*> rests;
+    for (const Rest& rest : system_of(scope).rests) {
+        const bool is_now = rest.first <= clock_of(scope) && clock_of(scope) <= rest.last;
+        if (rest.letter == letter && is_now) rests.push_back(&rest);
+    }
+    return rests;
+}
+
+std::optional<const Rest*> RuleMatcher::rest_of(const std::vector<const Rest*>& rests, Standing symbol) {
+    for (const Rest* rest : rests) {
+        if (!rest->condition) return rest;
+        const std::optional<bool> holds = does_hold(rest->condition, names_at(symbol));
+        if (!holds) return std::nullopt;
+        if (*holds != rest->is_until) return rest;
+    }
+    return nullptr;
+}
+
 // --- one rule and one symbol ---
 
 std::optional<Verdict> RuleMatcher::verdict_of(const Rule& rule, Standing symbol) {

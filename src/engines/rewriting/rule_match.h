@@ -56,6 +56,11 @@ public:
     // null where none does, none where something went wrong.
     std::optional<const Rule*> first_rule(std::uint32_t scope, char32_t letter, std::uint32_t iteration);
 
+    // What may let symbols of a letter rest in the next iteration; the first of these that lets one rest, null where
+    // none does.
+    std::vector<const Rest*> rests_of(std::uint32_t scope, char32_t letter) const;
+    std::optional<const Rest*> rest_of(const std::vector<const Rest*>& rests, Standing symbol);
+
     // Of a rule of this symbol's letter, whether or not it is a candidate.
     std::optional<Verdict> verdict_of(const Rule& rule, Standing symbol);
     // Where the rows of a letter have come to; null where its rules are no rows.
