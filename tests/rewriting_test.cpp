@@ -73,6 +73,20 @@ TEST(Rewriting, ExplainsASymbol) {
     EXPECT_EQ(derived("grammar tangle\nstart a = circle(50)\n", "--explain 0").substr(0, 2), "2 ");
 }
 
+TEST(Rewriting, ArraysAreReadFromFiles) {
+    const TestFolder folder;
+    folder.write("rules.csv", "ab,ac\r\nba,\"\"\r\n");
+    const std::string head = "grammar rewriting\naxiom \"aA\"\niterations 1\na -> M[0][1]\n";
+    const std::string inner = "system A { axiom \"b\"; iterations 1; array N from \"rules.csv\"; b -> N[1][0] }\n";
+    const std::string file = folder.write("a.fil", head + "array M from \"rules.csv\"\n" + inner);
+    EXPECT_EQ(run_program("derive " + file).out, "acba\n");
+    const Ran missing = run_program("derive " + folder.write("b.fil", head + "array M from \"none.csv\"\n"));
+    EXPECT_EQ(missing.status, 1);
+    EXPECT_EQ(missing.out.find("input.missing"), missing.out.rfind("input.missing")) << missing.out;
+    const Ran outside = run_program("derive " + folder.write("c.fil", head + "array M from \"../x.csv\"\n"));
+    EXPECT_NE(outside.out.find("input.outside"), std::string::npos) << outside.out;
+}
+
 TEST(Rewriting, WordsAreDrawnInEveryFormat) {
     const TestFolder folder;
     const std::string words = folder.write("a.fil", koch);

@@ -28,6 +28,13 @@ public:
     void operator()(const PresetStatement& preset) { look_into(preset.value); }
     void operator()(const ApplyStatement& apply) { look_into(apply.arguments); }
     void operator()(const OperatorStatement& macro) { look_into(macro.statements); }
+    // array M from "rules.csv"
+    void operator()(const SettingStatement& setting) {
+        if (setting.name.text != "array" || setting.values.size() < 3) return;
+        const auto* from = std::get_if<NameReference>(&setting.values[1]->node);
+        const auto* file = std::get_if<TextLiteral>(&setting.values[2]->node);
+        if (from != nullptr && from->name == "from" && file != nullptr) add(file->text, setting.values[2]->span);
+    }
     template <class Other>
     void operator()(const Other&) {}  // a system is a document of its own
 

@@ -21,7 +21,9 @@ constexpr std::array settings = {
                 "symbols that stay as they are, in these iterations, where the condition holds"},
     WordSetting{"sleep", "sleep a, q until age > 3",
                 "symbols that stay as they are, as if '=' stood behind them, until the condition holds"},
-    WordSetting{"array", "array M [10] [10]", "words by their place; a cell is written M[3][9] -> \"ab\""},
+    WordSetting{"array", "array M [10] [10]",
+                "words by their place; a cell is written M[3][9] -> \"ab\". 'array M from \"rules.csv\"' reads them; "
+                "'wrap' or 'clamp' behind it leads indexes outside back inside"},
     WordSetting{"register", "register ix 3", "a number that rules may change"},
     WordSetting{"angle", "angle 30", "degrees by which + and - turn", true},
     WordSetting{"angle2", "angle2 45", "degrees by which < and > turn; as angle unless said", true},

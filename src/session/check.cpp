@@ -184,7 +184,7 @@ CheckedDocument check_document(const OpenedDocument& opened, const Replay* repla
 
 Diagnostics read_words(const OpenedDocument& opened, CheckedDocument& checked) {
     Diagnostics problems;
-    Result<rewriting::Grammar> words = rewriting::read_grammar(*checked.settings, opened.document);
+    Result<rewriting::Grammar> words = rewriting::read_grammar(*checked.settings, opened.document, opened.inputs);
     append(problems, words.diagnostics());
     if (words) checked.words = std::move(*words);
     Result<rewriting::DrawRules> draw_rules = rewriting::read_draw_rules(*checked.settings, opened.document);

@@ -159,6 +159,17 @@ private:
         return std::nullopt;
     }
 
+    static double back_inside(double index, double size, OutOfRange way) {
+        switch (way) {
+            case OutOfRange::wrap:
+                return index - size * std::floor(index / size);
+            case OutOfRange::clamp:
+                return std::clamp(index, 0.0, size - 1);
+            case OutOfRange::error:
+                break;
+        }
+        return index;
+    }
     const Pattern* cell_of(const Successor& successor, const Scope& names) {
         const Array* array = find_named(grammar_.arrays, successor.array);
         if (array == nullptr || array->sizes.size() != successor.indexes.size()) {
@@ -173,14 +184,15 @@ private:
                 fail(index.diagnostics().front());
                 return nullptr;
             }
-            if (!(*index >= 0 && *index < array->sizes[i] && *index == std::floor(*index))) {
+            const double at = back_inside(*index, array->sizes[i], array->out_of_range);
+            if (!(at >= 0 && at < array->sizes[i] && *index == std::floor(*index))) {
                 fail(error("rewriting.index-out-of-range",
                            "index " + std::to_string(i + 1) + " of '" + array->name +
                                "' must be a whole number from 0 to " + std::to_string(array->sizes[i] - 1),
                            successor.span));
                 return nullptr;
             }
-            cell = cell * array->sizes[i] + static_cast<std::size_t>(*index);
+            cell = cell * array->sizes[i] + static_cast<std::size_t>(at);
         }
         return &array->cells[cell];
     }

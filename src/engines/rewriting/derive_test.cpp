@@ -17,7 +17,7 @@ struct Read {
     Diagnostics problems;  // of the grammar
 };
 
-Read read(const std::string& text) {
+Read read(const std::string& text, const Inputs& inputs = {}) {
     Read out;
     Parsed parsed = parse_document("a.fil", "grammar rewriting\n" + text, {});
     EXPECT_EQ(to_text(parsed.diagnostics, parsed.document.sources), "");
@@ -25,15 +25,15 @@ Read read(const std::string& text) {
     Result<Settings> settings = read_settings(out.document);
     EXPECT_TRUE(settings) << to_text(settings.diagnostics(), out.document.sources);
     if (settings) out.settings = std::move(*settings);
-    Result<Grammar> grammar = read_grammar(out.settings, out.document);
+    Result<Grammar> grammar = read_grammar(out.settings, out.document, inputs);
     out.problems = grammar.diagnostics();
     if (grammar) out.grammar = std::move(*grammar);
     return out;
 }
 
 // The words of iterations 0 to n, between blanks; or the code of what went wrong.
-std::string words(const std::string& text, int n, const Limits& limits = {}) {
-    const Read said = read(text);
+std::string words(const std::string& text, int n, const Limits& limits = {}, const Inputs& inputs = {}) {
+    const Read said = read(text, inputs);
     if (!said.problems.empty()) return said.problems.front().code;
     DeriveOptions options;
     options.seed = said.settings.seed;
@@ -139,6 +139,42 @@ TEST(Derive, MasksKeepSymbols) {
     EXPECT_EQ(words("axiom \"a\"\nmask a when agee > 1", 0), "language.unknown-name");
     EXPECT_EQ(words("axiom \"a\"\nmask \"=\"", 0), "rewriting.bad-letter");
     EXPECT_EQ(words("axiom \"a\"\nsleep a until \"b\"", 0), "language.wrong-kind");
+}
+
+TEST(Derive, ArraysLeadIndexesBackInside) {
+    const std::string cells = "M[0] -> \"x\"\nM[1] -> \"y\"\nM[2] -> \"z\"\na -> M[index - 2]\naxiom \"aaaaaaa\"\n";
+    EXPECT_EQ(words("array M [3] wrap\n" + cells, 1), "aaaaaaa yzxyzxy");
+    EXPECT_EQ(words("array M [3] clamp\n" + cells, 1), "aaaaaaa xxxyzzz");
+    EXPECT_EQ(words("array M [3] error\n" + cells, 1), "aaaaaaa rewriting.index-out-of-range");
+    EXPECT_EQ(words("array M [3] wrap\naxiom \"a\"\na -> M[t / 2]", 1), "a rewriting.index-out-of-range");
+    EXPECT_EQ(words("array M [3] clamp\naxiom \"a\"\na -> M[t + 7.5]", 1), "a rewriting.index-out-of-range");
+    EXPECT_EQ(words("array M [3] round\naxiom \"a\"", 0), "rewriting.bad-word");
+    EXPECT_EQ(words("array M\naxiom \"a\"", 0), "rewriting.bad-setting");
+    EXPECT_EQ(words("array M wrap\naxiom \"a\"\na -> M[0]", 0), "rewriting.bad-setting");
+}
+
+TEST(Derive, ArraysComeFromTables) {
+    const Inputs inputs = {{"rules.csv", "ab,\"P+C\"\n\"{2 b}\",\n"},
+                           {"one.csv", "x\ny\n"},
+                           {"ragged.csv", "a,b\nc\n"},
+                           {"wrong.csv", "a\n{2\n"},
+                           {"unknown.csv", "{(agee) a}\n"}};
+    const auto from = [&](const std::string& file, const std::string& rules) {
+        return words("axiom \"a\"\narray M from \"" + file + "\"" + rules, 1, {}, inputs);
+    };
+    EXPECT_EQ(from("rules.csv", "\na -> M[0][1]"), "a P+C");
+    EXPECT_EQ(from("rules.csv", "\na -> M[1][0]"), "a bb");
+    EXPECT_EQ(from("rules.csv", " wrap\na -> M[-1][-1]"), "a ");
+    EXPECT_EQ(from("rules.csv", "\nM[1][1] -> \"c\"\na -> M[1][1]"), "a c");
+    EXPECT_EQ(from("rules.csv", "\na -> M[1]"), "rewriting.unknown-array");
+    EXPECT_EQ(from("one.csv", " clamp\na -> M[7]"), "a y") << "one column is a sequence";
+    EXPECT_EQ(from("ragged.csv", "\na -> M[0]"), "csv.ragged");
+    EXPECT_EQ(from("wrong.csv", ""), "rewriting.unmatched-brace");
+    EXPECT_EQ(from("unknown.csv", ""), "language.unknown-name");
+    EXPECT_EQ(from("none.csv", "\na -> M[0]"), "input.missing");
+    const Read said = read("axiom \"a\"\narray M from \"ragged.csv\"\na -> M[0]", inputs);
+    ASSERT_EQ(said.problems.size(), 1U) << "what follows from it is not said";
+    EXPECT_EQ(said.problems[0].message, "in 'ragged.csv', line 2 has 1 cell, where the first has 2 cells");
 }
 
 TEST(Derive, ExpressionsAreCheckedBeforehand) {

@@ -101,11 +101,14 @@ struct System {
     bool recalls_last = false;  // R= is what the last R drew, instead of the first
 };
 
+enum class OutOfRange : std::uint8_t { error, wrap, clamp };
+
 // Words by their place: M[3][9].
 struct Array {
     std::string name;
     std::vector<std::uint32_t> sizes;
-    std::vector<Pattern> cells;  // row by row
+    std::vector<Pattern> cells;                   // row by row
+    OutOfRange out_of_range = OutOfRange::error;  // what an index outside leads to
 };
 
 struct Register {

@@ -110,8 +110,9 @@ private:
     }
 
     void add_arrays() {
-        grammar_.arrays.push_back({"M", {3}, {}});
-        grammar_.arrays.push_back({"N", {3, 2 + random_.below(8) / 7}, {}});
+        const auto way = [&] { return static_cast<OutOfRange>(random_.below(3)); };
+        grammar_.arrays.push_back({"M", {3}, {}, way()});
+        grammar_.arrays.push_back({"N", {3, 2 + random_.below(8) / 7}, {}, way()});
         for (Array& array : grammar_.arrays) {
             std::size_t count = 1;
             for (const std::uint32_t size : array.sizes) count *= size;
@@ -270,8 +271,10 @@ private:
             made.array = array.name;
             for (std::size_t k = 0; k < array.sizes.size(); ++k) {
                 made.indexes.push_back(expression(
-                    k == 0 ? one_of({"ix", "iy", "mod(index + ix, 3)", "mod(t, 3)", "2"})
-                           : one_of({"mod(iy, 2)", "mod(index, 2)", "1", "mod(depth + t, 2)", "iy", "iy / 2"})));
+                    array.out_of_range != OutOfRange::error && chance(60)
+                        ? one_of({"t", "index - count", "4 - density", "age", "t - 5"})
+                    : k == 0 ? one_of({"ix", "iy", "mod(index + ix, 3)", "mod(t, 3)", "2"})
+                             : one_of({"mod(iy, 2)", "mod(index, 2)", "1", "mod(depth + t, 2)", "iy", "iy / 2"})));
             }
         } else {
             made.pattern = pattern(which, 4, true);
@@ -364,6 +367,8 @@ inline std::string described(const Grammar& grammar) {
     for (const Array& array : grammar.arrays) {
         text += "array " + array.name;
         for (const std::uint32_t size : array.sizes) text += " [" + std::to_string(size) + "]";
+        constexpr std::string_view ways[] = {"", " wrap", " clamp"};
+        text += ways[static_cast<std::size_t>(array.out_of_range)];
         for (const Pattern& cell : array.cells) text += " \"" + described(cell.parts) + "\"";
         text += "\n";
     }

@@ -6,6 +6,7 @@
 
 #include "engines/rewriting/pattern.h"
 #include "engines/rewriting/symbol_facts.h"
+#include "formats/csv_read.h"
 #include "language/check.h"
 #include "language/word_settings.h"
 
@@ -21,7 +22,8 @@ std::string quoted(char32_t letter) { return "'" + to_utf8(std::u32string(1, let
 
 class GrammarReader {
 public:
-    GrammarReader(const Settings& settings, const Document& document) : settings_(settings), document_(document) {}
+    GrammarReader(const Settings& settings, const Document& document, const Inputs& inputs)
+        : settings_(settings), document_(document), inputs_(inputs) {}
 
     Result<Grammar> run() {
         find_registers_and_arrays(document_.statements);
@@ -185,32 +187,91 @@ private:
         }
         grammar_.registers.push_back(std::move(added));
     }
+    // array NAME [rows] [columns]... [wrap | clamp], or array NAME from "rules.csv" [wrap | clamp]
     void add_array(const SettingStatement& setting) {
-        const std::string* name = word_of(setting.values[0]);
-        if (name == nullptr || setting.values.size() < 2) return fail_usage(setting);
-        Array array{*name, {}, {}};
-        std::size_t cells = 1;
-        for (std::size_t i = 1; i < setting.values.size(); ++i) {
-            const auto* list = std::get_if<ListExpression>(&setting.values[i]->node);
-            if (list == nullptr || list->items.size() != 1) return fail_usage(setting);
-            const std::optional<double> size = whole_of(list->items[0], 1, most_cells);
-            if (!size) return;
-            array.sizes.push_back(static_cast<std::uint32_t>(*size));
-            cells *= array.sizes.back();
-            if (cells > most_cells) {
-                return report(error("rewriting.out-of-range", "an array may have a million cells, this has more",
-                                    setting.name.span));
-            }
+        std::vector<ExpressionPtr> values = setting.values;
+        const std::string* name = word_of(values[0]);
+        if (name == nullptr) return fail_usage(setting);
+        Array array{*name, {}, {}, OutOfRange::error};
+        if (values.size() > 2 && word_of(values.back()) != nullptr) {
+            array.out_of_range = static_cast<OutOfRange>(one_of(values.back(), {"error", "wrap", "clamp"}));
+            values.pop_back();
         }
-        array.cells.resize(cells);
+        const std::string* from = values.size() == 3 ? word_of(values[1]) : nullptr;
+        const std::string* file = from != nullptr && *from == "from" ? text_of(values[2]) : nullptr;
+        const bool is_read =
+            file != nullptr ? read_cells(array, *file, values[2]->span) : read_sizes(array, setting, values);
+        if (!is_read) {
+            broken_arrays_.insert(*name);
+            return;
+        }
         if (find_named(grammar_.arrays, *name) != nullptr) {
             return report(doubled("the array " + quoted(*name), setting.name.span));
         }
         grammar_.arrays.push_back(std::move(array));
     }
+    bool read_sizes(Array& array, const SettingStatement& setting, const std::vector<ExpressionPtr>& values) {
+        if (values.size() < 2) {
+            fail_usage(setting);
+            return false;
+        }
+        std::size_t cells = 1;
+        for (std::size_t i = 1; i < values.size(); ++i) {
+            const auto* list = std::get_if<ListExpression>(&values[i]->node);
+            if (list == nullptr || list->items.size() != 1) {
+                fail_usage(setting);
+                return false;
+            }
+            const std::optional<double> size = whole_of(list->items[0], 1, most_cells);
+            if (!size) return false;
+            array.sizes.push_back(static_cast<std::uint32_t>(*size));
+            cells *= array.sizes.back();
+            if (!may_have(cells, setting.name.span)) return false;
+        }
+        array.cells.resize(cells);
+        return true;
+    }
+    bool may_have(std::size_t cells, SourceSpan span) {
+        if (cells <= most_cells) return true;
+        report(error("rewriting.out-of-range", "an array may have a million cells, this has more", span));
+        return false;
+    }
+    // A table with one column is a sequence: its cells have one index.
+    bool read_cells(Array& array, const std::string& file, SourceSpan span) {
+        const Input* input = find_input(inputs_, file);
+        if (input == nullptr) {
+            report(error("input.missing", "the file " + quoted(file) + " is not there", span));
+            return false;
+        }
+        const Result<std::vector<CsvRow>> rows = read_csv(input->bytes);
+        if (!rows) {
+            Diagnostic problem = rows.diagnostics().front();
+            problem.message = "in " + quoted(file) + ", " + problem.message;
+            problem.span = span;
+            report(std::move(problem));
+            return false;
+        }
+        const std::size_t columns = rows->front().cells.size();
+        if (!may_have(rows->size() * columns, span)) return false;
+        array.sizes.push_back(static_cast<std::uint32_t>(rows->size()));
+        if (columns > 1) array.sizes.push_back(static_cast<std::uint32_t>(columns));
+        for (const CsvRow& row : *rows) {
+            for (const std::string& cell : row.cells) {
+                Result<Pattern> pattern = read_pattern(cell, span);
+                for (Diagnostic problem : pattern.diagnostics()) {
+                    problem.message =
+                        "in line " + std::to_string(row.line) + " of " + quoted(file) + ", " + problem.message;
+                    report(std::move(problem));
+                }
+                array.cells.push_back(pattern ? std::move(*pattern) : Pattern{});
+                cell_texts_.emplace_back(array.cells.back(), span);
+            }
+        }
+        return true;
+    }
     void fill_cell(const CellStatement& cell) {
-        Array* array = find_named(grammar_.arrays, cell.array.text);
-        if (array == nullptr || array->sizes.size() != cell.indexes.size()) return report(unknown_array(cell.array));
+        Array* array = array_of(cell.array, cell.indexes.size());
+        if (array == nullptr) return;
         std::size_t at = 0;
         for (std::size_t i = 0; i < cell.indexes.size(); ++i) {
             const std::optional<double> index = whole_of(cell.indexes[i], 0, array->sizes[i] - 1.0);
@@ -222,6 +283,13 @@ private:
     }
     void check_cells() {
         for (const auto& [pattern, span] : cell_texts_) check_counts(pattern.parts, facts_of_symbol_, span);
+    }
+    // Null where there is none with so many indexes, which is reported, unless the array itself was.
+    Array* array_of(const Name& name, std::size_t indexes) {
+        Array* array = find_named(grammar_.arrays, name.text);
+        if (array != nullptr && array->sizes.size() == indexes) return array;
+        if (!broken_arrays_.contains(name.text)) report(unknown_array(name));
+        return nullptr;
     }
     Diagnostic unknown_array(const Name& name) {
         std::vector<std::string_view> names;
@@ -473,8 +541,7 @@ private:
             successor.kind = Successor::Kind::cell;
             successor.array = said.array->text;
             successor.indexes = said.indexes;
-            const Array* array = find_named(grammar_.arrays, said.array->text);
-            if (array == nullptr || array->sizes.size() != said.indexes.size()) report(unknown_array(*said.array));
+            array_of(*said.array, said.indexes.size());
         } else {
             successor.pattern = pattern_of(*said.text, frees_braces);
         }
@@ -483,16 +550,18 @@ private:
 
     const Settings& settings_;
     const Document& document_;
+    const Inputs& inputs_;
     Grammar grammar_;
     std::vector<std::pair<Pattern, SourceSpan>> cell_texts_;
+    std::set<std::string, std::less<>> broken_arrays_;  // what is wrong with them is said
     Scope registers_, facts_of_row_, facts_of_symbol_;  // example values
     Diagnostics diagnostics_;
 };
 
 }  // namespace
 
-Result<Grammar> read_grammar(const Settings& settings, const Document& document) {
-    return GrammarReader(settings, document).run();
+Result<Grammar> read_grammar(const Settings& settings, const Document& document, const Inputs& inputs) {
+    return GrammarReader(settings, document, inputs).run();
 }
 
 }  // namespace filigree::rewriting

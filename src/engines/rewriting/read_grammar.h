@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "derivation/inputs.h"
 #include "engines/rewriting/grammar.h"
 #include "language/document.h"
 #include "language/settings.h"
@@ -9,6 +10,7 @@
 namespace filigree::rewriting {
 
 // What is `system X { ... }` with one letter is a subsystem. Lengths and numbers may use the names of the document.
-Result<Grammar> read_grammar(const Settings& settings, const Document& document);
+// `inputs` holds the files of its arrays.
+Result<Grammar> read_grammar(const Settings& settings, const Document& document, const Inputs& inputs = {});
 
 }  // namespace filigree::rewriting

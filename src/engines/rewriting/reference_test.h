@@ -473,11 +473,18 @@ private:
             std::size_t place = 0;
             for (std::size_t k = 0; k < array.sizes.size(); ++k) {
                 const std::optional<double> index = asking(p).number(successor.indexes[k]);
-                if (!index || *index < 0 || *index >= array.sizes[k] || *index != std::floor(*index)) {
+                double at = index.value_or(-1);
+                if (array.out_of_range == OutOfRange::wrap) {
+                    while (at < 0) at += array.sizes[k];
+                    while (at >= array.sizes[k]) at -= array.sizes[k];
+                } else if (array.out_of_range == OutOfRange::clamp) {
+                    at = at < 0 ? 0 : at >= array.sizes[k] ? array.sizes[k] - 1.0 : at;
+                }
+                if (!index || at < 0 || at >= array.sizes[k] || *index != std::floor(*index)) {
                     fail(Outcome::wrong);
                     return std::nullopt;
                 }
-                place = place * array.sizes[k] + static_cast<std::size_t>(*index);
+                place = place * array.sizes[k] + static_cast<std::size_t>(at);
             }
             return written(array.cells[place], p);
         }

@@ -19,7 +19,7 @@ TEST(SymbolFacts, AreThoseThatExpressionsName) {
     Pattern repeat;
     repeat.parts.push_back({U"", *parse_expression("2"), {{U"", *parse_expression("mod(count, 2)"), {}}}});
     grammar.systems[0].rules.push_back(rule);
-    grammar.arrays.push_back({"M", {1}, {repeat}});
+    grammar.arrays.push_back({"M", {1}, {repeat}, OutOfRange::error});
     FactSet wanted{};
     for (const Fact fact : {Fact::age, Fact::depth, Fact::count}) wanted[static_cast<std::size_t>(fact)] = true;
     EXPECT_EQ(facts_asked(grammar), wanted);

@@ -86,7 +86,7 @@ Grammar grammar_of(const json& row) {
     Grammar grammar;
     grammar.draws = DrawMode::position;
     if (row.contains("array")) {
-        Array array{"array", {10, 10}, std::vector<Pattern>(100)};
+        Array array{"array", {10, 10}, std::vector<Pattern>(100), OutOfRange::error};
         for (const auto& [place, text] : row["array"].items()) {
             const auto cell = static_cast<std::size_t>((place[1] - '0') * 10 + (place[4] - '0'));
             array.cells[cell] = pattern_of(text);
