@@ -26,12 +26,19 @@ namespace filigree::rewriting {
 
 constexpr std::uint64_t most_edited_symbols = Limits{}.elements;
 
+// Where each symbol of an edited word stood in the word before (in the first, of two), or `new_symbol` for what the
+// edit puts: inserted texts, products, second copies, all that comes from the other word. No place stands there twice.
+// Edits fill the one that they are given, unless they fail.
+using EditTrace = std::vector<std::uint32_t>;
+constexpr std::uint32_t new_symbol = UINT32_MAX;
+
 // --- Two words into one
 
-std::u32string add_words(std::u32string_view a, std::u32string_view b);  // one behind the other
+// One behind the other.
+std::u32string add_words(std::u32string_view a, std::u32string_view b, EditTrace* trace = nullptr);
 
 // a1 b1 a2 b2 ..., then what the longer has left. Brackets are tokens like all others.
-std::u32string breed(std::u32string_view a, std::u32string_view b);
+std::u32string breed(std::u32string_view a, std::u32string_view b, EditTrace* trace = nullptr);
 
 // The same, but every token keeps the heading of its parent: Xaaaa and Yaaaa give the stairs XaYaXaYaXaYaXaYa. A
 // heading (X, Y or Z with its modifiers) takes no turn of its own. It is put before the next token of its parent where
@@ -39,7 +46,8 @@ std::u32string breed(std::u32string_view a, std::u32string_view b);
 // each parent by themselves. A parent that has set none yet takes what it finds. Headings with nothing behind them are
 // dropped; turns by P, T and D are tokens like all others, and last until the next heading.
 Result<std::u32string> breed_carrying_headings(std::u32string_view a, std::u32string_view b,
-                                               std::uint64_t most_symbols = most_edited_symbols);
+                                               std::uint64_t most_symbols = most_edited_symbols,
+                                               EditTrace* trace = nullptr);
 
 // --- Reactions between two words
 
@@ -71,6 +79,7 @@ struct ReactOptions {
     std::span<const std::uint32_t> ages_b = {};
     ObjectTest objects = is_object;
     std::uint64_t most_symbols = most_edited_symbols;
+    EditTrace* trace = nullptr;
 };
 
 constexpr std::size_t longest_reaction_context = 64;  // in tokens
@@ -89,6 +98,7 @@ struct ChunkPair {
 struct ChunkOptions {
     std::uint32_t most_passes = 1;  // more: again until nothing is left to replace
     std::uint64_t most_symbols = most_edited_symbols;
+    EditTrace* trace = nullptr;  // from before the first pass
 };
 
 struct ChunkEdit {
@@ -127,7 +137,8 @@ std::vector<std::uint32_t> selected_tokens(std::u32string_view word, const std::
 
 enum class Side { before, after };
 Result<std::u32string> insert_beside(std::u32string_view word, std::u32string_view text, Side side,
-                                     const TokenSelector& selector, std::uint64_t most_symbols = most_edited_symbols);
+                                     const TokenSelector& selector, std::uint64_t most_symbols = most_edited_symbols,
+                                     EditTrace* trace = nullptr);
 
 // At the beginning or end of branches: d at the end of a[b[c]] gives a[b[cd]d].
 struct BranchSelector {
@@ -138,7 +149,7 @@ struct BranchSelector {
 enum class BranchEnd { begin, end };
 Result<std::u32string> append_to_branches(std::u32string_view word, std::u32string_view text, BranchEnd end,
                                           const BranchSelector& selector = {},
-                                          std::uint64_t most_symbols = most_edited_symbols);
+                                          std::uint64_t most_symbols = most_edited_symbols, EditTrace* trace = nullptr);
 
 // --- Geometry
 
@@ -146,7 +157,8 @@ Result<std::u32string> append_to_branches(std::u32string_view word, std::u32stri
 // the branch, as turns do. `ordinal` counts the chosen tokens, `index` is that of the token, both from 0.
 using TurnAmount = std::function<std::int32_t(std::uint32_t ordinal, std::uint32_t index)>;
 Result<std::u32string> turn_before(std::u32string_view word, const TokenSelector& selector, char32_t axis,
-                                   const TurnAmount& amount, std::uint64_t most_symbols = most_edited_symbols);
+                                   const TurnAmount& amount, std::uint64_t most_symbols = most_edited_symbols,
+                                   EditTrace* trace = nullptr);
 inline Result<std::u32string> twist(std::u32string_view word, const TokenSelector& selector, const TurnAmount& amount) {
     return turn_before(word, selector, U'D', amount);
 }
@@ -161,7 +173,7 @@ inline TurnAmount constant_turn(std::int32_t amount) {
 // factor that is not above 0 or not finite is an error.
 using ShrinkFactor = std::function<double(std::uint32_t ordinal, std::uint32_t index)>;
 Result<std::u32string> shrink(std::u32string_view word, const TokenSelector& selector, const ShrinkFactor& factor,
-                              std::uint64_t most_symbols = most_edited_symbols);
+                              std::uint64_t most_symbols = most_edited_symbols, EditTrace* trace = nullptr);
 inline ShrinkFactor constant_shrink(double factor) {
     return [factor](std::uint32_t, std::uint32_t) { return factor; };
 }
@@ -169,17 +181,24 @@ inline ShrinkFactor constant_shrink(double factor) {
 // --- Removal and genetics
 
 // Ranges must lie inside the word and hold both brackets of every pair, or none.
-Result<std::u32string> remove_range(std::u32string_view word, TokenRange range);
-std::u32string remove_branches(std::u32string_view word, const BranchSelector& selector);  // of the trunk: all
+Result<std::u32string> remove_range(std::u32string_view word, TokenRange range, EditTrace* trace = nullptr);
+// Of the trunk: all.
+std::u32string remove_branches(std::u32string_view word, const BranchSelector& selector, EditTrace* trace = nullptr);
 
 struct WordPair {
     std::u32string a;
     std::u32string b;
 };
+struct PairTrace {
+    EditTrace a;
+    EditTrace b;  // places in the first word, too
+};
 // Each word gets the range of the other in the place of its own. Empty ranges are places between tokens.
-Result<WordPair> crossover(std::u32string_view a, TokenRange range_a, std::u32string_view b, TokenRange range_b);
+Result<WordPair> crossover(std::u32string_view a, TokenRange range_a, std::u32string_view b, TokenRange range_b,
+                           PairTrace* trace = nullptr);
 Result<WordPair> crossover_branches(std::u32string_view a, std::uint32_t branch_a, std::u32string_view b,
-                                    std::uint32_t branch_b);  // ordinals, as in branches_of
+                                    std::uint32_t branch_b,  // ordinals, as in branches_of
+                                    PairTrace* trace = nullptr);
 
 // Chances for each token, 0 to 1. They are tried in this order, and at most one comes about.
 struct MutationRates {
@@ -195,7 +214,8 @@ using TokenBits = std::function<std::uint64_t(std::uint32_t token, MutationDraw 
 // Brackets stay where they are. `replacements`: a text whose tokens are drawn, so how often one stands there is its
 // weight; its brackets are not drawn. Empty: the word itself.
 Result<std::u32string> mutate(std::u32string_view word, const MutationRates& rates, std::u32string_view replacements,
-                              const TokenBits& bits, std::uint64_t most_symbols = most_edited_symbols);
+                              const TokenBits& bits, std::uint64_t most_symbols = most_edited_symbols,
+                              EditTrace* trace = nullptr);
 
 // --- Cleaning
 
@@ -205,6 +225,6 @@ struct CleanedWord {
 };
 // Removes blanks, `]` that close nothing and '=' with nothing before it; closes at the end what is open. Modifiers that
 // follow no axis letter are legal. What is clean stays as it is.
-CleanedWord clean_up(std::u32string_view word);
+CleanedWord clean_up(std::u32string_view word, EditTrace* trace = nullptr);
 
 }  // namespace filigree::rewriting

@@ -8,6 +8,7 @@
 #include "base/number_text.h"
 #include "engines/rewriting/word_edits.h"
 #include "engines/rewriting/word_edits_checks.h"
+#include "engines/rewriting/word_edits_writer.h"
 
 namespace filigree::rewriting {
 namespace {
@@ -119,9 +120,15 @@ private:
     std::vector<std::uint32_t> lengths_;
 };
 
+// The trace of two edits, one behind the other.
+EditTrace followed(const EditTrace& first, EditTrace second) {
+    for (std::uint32_t& place : second) place = place == new_symbol ? new_symbol : first[place];
+    return second;
+}
+
 // One pass over the word of `edit`. Errors leave it as it was.
 Diagnostics replace_once(ChunkEdit& edit, std::span<const ChunkPair> pairs, const ChunkAutomaton& automaton,
-                         std::uint64_t most_symbols) {
+                         const ChunkOptions& options) {
     const std::vector<EditToken> tokens = edit_tokens(edit.word);
     const std::vector<std::uint32_t> longest = automaton.longest_at(edit.word, tokens);
     std::uint64_t size = edit.word.size();
@@ -139,20 +146,22 @@ Diagnostics replace_once(ChunkEdit& edit, std::span<const ChunkPair> pairs, cons
     ++edit.passes;
     edit.is_settled = replaced == 0;
     if (replaced == 0) return {};
-    if (size > most_symbols) return {too_large_word(size, most_symbols)};
-    std::u32string out;
+    if (size > options.most_symbols) return {too_large_word(size, options.most_symbols)};
+    EditTrace trace;
+    EditWriter out(edit.word, options.trace != nullptr ? &trace : nullptr);
     out.reserve(size);
     for (std::size_t i = 0; i < tokens.size();) {
         if (longest[i] == none) {
-            out += token_text(edit.word, tokens[i++]);
+            out.keep(tokens[i++]);
         } else {
-            out += pairs[longest[i]].to;
+            out.add(pairs[longest[i]].to);
             i += automaton.length(longest[i]);
         }
     }
     edit.replaced += replaced;
-    edit.is_settled = out == edit.word;
-    edit.word = std::move(out);
+    edit.is_settled = out.text() == edit.word;
+    edit.word = out.take();
+    if (options.trace != nullptr) *options.trace = followed(*options.trace, std::move(trace));
     return {};
 }
 
@@ -179,8 +188,12 @@ Result<ChunkEdit> substitute(std::u32string_view word, std::span<const ChunkPair
     const ChunkAutomaton automaton(pairs);
     ChunkEdit edit;
     edit.word = word;
+    if (options.trace != nullptr) {
+        options.trace->resize(word.size());
+        std::iota(options.trace->begin(), options.trace->end(), 0U);
+    }
     while (!edit.is_settled && edit.passes < options.most_passes) {
-        Diagnostics errors = replace_once(edit, pairs, automaton, options.most_symbols);
+        Diagnostics errors = replace_once(edit, pairs, automaton, options);
         if (!errors.empty()) return errors;
     }
     Diagnostics warnings;

@@ -1,5 +1,6 @@
 #include "base/number_text.h"
 #include "engines/rewriting/word_edits.h"
+#include "engines/rewriting/word_edits_writer.h"
 
 namespace filigree::rewriting {
 namespace {
@@ -26,8 +27,9 @@ void report(std::vector<std::string>& changes, const std::string& before, const 
 
 }  // namespace
 
-CleanedWord clean_up(std::u32string_view word) {
+CleanedWord clean_up(std::u32string_view word, EditTrace* trace) {
     CleanedWord cleaned;
+    EditWriter out(word, trace);
     std::u32string solid;
     std::vector<std::uint32_t> origins;  // where its symbols stood
     std::vector<std::uint32_t> blanks, freezes, closing, opening;
@@ -49,11 +51,12 @@ CleanedWord clean_up(std::u32string_view word) {
         } else if (is_alone && symbol == U']') {
             closing.push_back(origins[tokens[i].begin]);
         } else {
-            cleaned.word += token_text(solid, tokens[i]);
+            for (std::uint32_t at = tokens[i].begin; at < tokens[i].end; ++at) out.keep(origins[at], origins[at] + 1);
             if (is_alone) opening.push_back(origins[tokens[i].begin]);
         }
     }
-    cleaned.word.append(opening.size(), U']');
+    out.add(std::u32string(opening.size(), U']'));
+    cleaned.word = out.take();
     report(cleaned.changes, "removed", blanks.size() == 1 ? "blank " : "blanks ", blanks);
     report(cleaned.changes, "removed", "'=' with nothing before, ", freezes);
     report(cleaned.changes, "removed", closing.size() == 1 ? "']' that closes nothing, " : "']' that close nothing, ",

@@ -4,6 +4,7 @@
 #include "base/number_text.h"
 #include "engines/rewriting/word_edits.h"
 #include "engines/rewriting/word_edits_checks.h"
+#include "engines/rewriting/word_edits_writer.h"
 
 namespace filigree::rewriting {
 namespace {
@@ -174,20 +175,20 @@ Result<std::u32string> react(std::u32string_view a, std::u32string_view b, std::
     const Partner second = partner_of(b, options.ages_b, options.objects);
     const bool keeps_a = options.unreacted == Unreacted::both || options.unreacted == Unreacted::a;
     const bool keeps_b = options.unreacted == Unreacted::both || options.unreacted == Unreacted::b;
-    std::u32string out;
+    EditWriter out(a, options.trace);
     for (std::uint32_t i = 0; i < std::max(first.tokens.size(), second.tokens.size()); ++i) {
         const bool has_a = i < first.tokens.size();
         const bool has_b = i < second.tokens.size();
         const std::u32string* const product = has_a && has_b ? table.product(first, second, i) : nullptr;
         if (product != nullptr) {
-            out += *product;
+            out.add(*product);
         } else {
-            if (has_a && keeps_a) out += first.text(i);
-            if (has_b && keeps_b) out += second.text(i);
+            if (has_a && keeps_a) out.keep(first.tokens[i]);
+            if (has_b && keeps_b) out.add(second.text(i));
         }
-        if (out.size() > options.most_symbols) return too_large_word(out.size(), options.most_symbols);
+        if (out.text().size() > options.most_symbols) return too_large_word(out.text().size(), options.most_symbols);
     }
-    return out;
+    return out.take();
 }
 
 }  // namespace filigree::rewriting
