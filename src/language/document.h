@@ -147,6 +147,14 @@ struct RestStatement {
     std::vector<Symbols> symbols;
     ExpressionPtr condition;  // null if absent, which may be in a mask
 };
+// once insert("T+", at: "a"), or after 3, after 2..5, each iteration: an edit of the whole word
+struct WordEditStatement {
+    bool is_once = false;                        // behind the last iteration;
+    std::uint32_t first = 1, last = UINT32_MAX;  // else behind each of these
+    Name edit_name;
+    std::vector<CallArgument> arguments;  // of a pair "aaa" -> "b" the key is a text
+    SourceSpan call_span;
+};
 // angle 30: what is said of words in one form, a name and values (word_settings.h)
 struct SettingStatement {
     Name name;
@@ -221,7 +229,7 @@ struct Statement {
                  IncludeStatement, ParamStatement, LetStatement, PageStatement, LimitStatement, SymmetryStatement,
                  PaletteStatement, StartStatement, StyleStatement, GroupRule, PresetStatement, KeepStatement,
                  RerollStatement, ApplyStatement, SystemStatement, OperatorStatement, WordRule, MacroStatement,
-                 CellStatement, SettingStatement, RestStatement>
+                 CellStatement, SettingStatement, RestStatement, WordEditStatement>
         node;
 };
 

@@ -101,6 +101,9 @@ Result<ChoicePath> parse_path(std::string_view text, std::uint32_t file) {
 Result<OperatorCall> parse_call(std::string_view text, std::uint32_t file) {
     return parse_part(text, file, &Parser::parse_lone_call);
 }
+Result<OperatorCall> parse_edit_call(std::string_view text, std::uint32_t file) {
+    return parse_part(text, file, &Parser::parse_lone_edit_call);
+}
 Result<std::vector<OutputTag>> parse_outputs(std::string_view text, std::uint32_t file) {
     return parse_part(text, file, &Parser::parse_lone_outputs);
 }
@@ -150,6 +153,13 @@ std::optional<OperatorCall> Parser::parse_lone_call() {
     skip_line_ends();
     std::optional<OperatorCall> call = read_call("a step by hand is written as in 'outline(5)' or 'ring = outline(5)'");
     if (!call || !expect_text_end("the end of the call")) return std::nullopt;
+    return call;
+}
+
+std::optional<OperatorCall> Parser::parse_lone_edit_call() {
+    skip_line_ends();
+    std::optional<OperatorCall> call = read_edit_call();
+    if (!call || !expect_text_end("the end of the edit")) return std::nullopt;
     return call;
 }
 

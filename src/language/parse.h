@@ -43,6 +43,8 @@ struct OperatorCall {
     SourceSpan span;
 };
 Result<OperatorCall> parse_call(std::string_view text, std::uint32_t file = SourceSpan::no_file);
+// An edit of a word: insert("T+", at: "a"). A pair, as in compress("aaa" -> "b"), is an argument whose key is a text.
+Result<OperatorCall> parse_edit_call(std::string_view text, std::uint32_t file = SourceSpan::no_file);
 Result<std::vector<OutputTag>> parse_outputs(std::string_view text, std::uint32_t file = SourceSpan::no_file);
 
 // PATH=VALUE as a command line gives it, both without blanks around and neither read: split at the first '=' outside

@@ -257,7 +257,7 @@ bool Parser::read_items(TokenKind close, std::vector<ExpressionPtr>& items, int&
     return true;
 }
 
-bool Parser::read_arguments(std::vector<CallArgument>& arguments, int& height) {
+bool Parser::read_arguments(std::vector<CallArgument>& arguments, int& height, bool takes_pairs) {
     if (!open_bracket()) return false;
     while (!at(TokenKind::close_round)) {
         if (!arguments.empty()) {
@@ -271,12 +271,13 @@ bool Parser::read_arguments(std::vector<CallArgument>& arguments, int& height) {
                 return false;
             }
         }
+        const Token first = peek();
         Tree value = read_conditional();
         if (!value) return false;
         height = std::max(height, value.height);
         CallArgument argument{nullptr, value.node};
-        if (accept(TokenKind::colon)) {
-            argument.key = value.node;
+        if (!read_key(argument, first, takes_pairs)) return false;
+        if (argument.key) {
             value = read_conditional();
             if (!value) return false;
             height = std::max(height, value.height);
@@ -285,6 +286,22 @@ bool Parser::read_arguments(std::vector<CallArgument>& arguments, int& height) {
         arguments.push_back(std::move(argument));
     }
     close_bracket();
+    return true;
+}
+
+// Whether what was read is the key of an argument: takes the ':', or the '->' of a pair, behind it.
+bool Parser::read_key(CallArgument& argument, const Token& first, bool takes_pairs) {
+    const bool is_text = std::holds_alternative<TextLiteral>(argument.value->node);
+    if (takes_pairs && is_text && at(TokenKind::colon)) {
+        fail_expected("language.missing-arrow", "'->' behind a text", {"pairs are written as in \"aaa\" -> \"b\""});
+        return false;
+    }
+    if (takes_pairs && !is_text && at(TokenKind::arrow)) {
+        fail(first, error("language.missing-text", "expected a text in quotes before '->'", argument.value->span,
+                          {"pairs are written as in \"aaa\" -> \"b\""}));
+        return false;
+    }
+    if (accept(TokenKind::colon) || (takes_pairs && accept(TokenKind::arrow))) argument.key = argument.value;
     return true;
 }
 

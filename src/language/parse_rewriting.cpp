@@ -63,7 +63,8 @@ bool Parser::line_has_arrow() const {
 bool Parser::is_word_statement(const Token& first) {
     if (first.kind != TokenKind::name) return first.kind == TokenKind::text || line_has_arrow();
     const std::string_view word = bytes_of(first);
-    return find_word_setting(word) != nullptr || letter_count(unicode::normalise(word)) == 1 || is_cell(first);
+    return is_word_edit(first) || find_word_setting(word) != nullptr || letter_count(unicode::normalise(word)) == 1 ||
+           is_cell(first);
 }
 
 // NAME[...][...] ->
@@ -83,6 +84,8 @@ std::optional<Statement> Parser::read_word_statement() {
     const bool is_name = first.kind == TokenKind::name;
     if (is_name && (bytes_of(first) == "mask" || bytes_of(first) == "sleep")) {
         if (auto rest = read_rest()) statement.node = std::move(*rest);
+    } else if (is_word_edit(first)) {
+        if (auto edit = read_word_edit()) statement.node = std::move(*edit);
     } else if (is_name && find_word_setting(bytes_of(first)) != nullptr) {
         if (auto setting = read_setting()) statement.node = std::move(*setting);
     } else if (is_name && is_cell(first)) {

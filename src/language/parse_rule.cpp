@@ -47,7 +47,7 @@ std::optional<GroupRule> Parser::read_rule() {
 }
 
 // Without an example, a name before '=' may have been meant for a value.
-std::optional<OperatorCall> Parser::read_call(std::string_view example) {
+std::optional<OperatorCall> Parser::read_call(std::string_view example, bool takes_pairs) {
     OperatorCall call;
     const std::uint32_t begin = peek().begin;
     std::optional<Name> name = read_name("an operator");
@@ -72,7 +72,7 @@ std::optional<OperatorCall> Parser::read_call(std::string_view example) {
         return std::nullopt;
     }
     int height = 0;
-    if (!read_arguments(call.arguments, height)) return std::nullopt;
+    if (!read_arguments(call.arguments, height, takes_pairs)) return std::nullopt;
     call.span = span_from(begin);
     return call;
 }

@@ -169,8 +169,12 @@ void Parser::fail_unknown_statement(const Token& first) {
     std::vector<std::string_view> known(keywords.begin(), keywords.end());
     if (reads_words_) {
         for (const WordSetting& setting : word_settings()) known.push_back(setting.name);
+        known.insert(known.end(), {"once", "each"});
     }
     std::vector<std::string> hints = did_you_mean(word, known);
+    if (reads_words_ && token_behind(first).kind == TokenKind::open_round) {
+        hints = {"an edit of the word stands behind 'once', 'after 3' or 'each iteration'"};
+    }
     if (hints.empty()) {
         std::string list;
         for (const std::string_view keyword : keywords) list += (list.empty() ? "" : ", ") + std::string(keyword);

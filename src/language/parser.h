@@ -54,6 +54,7 @@ public:
     std::optional<ExpressionPtr> parse_lone_expression();
     std::optional<ChoicePath> parse_lone_path();
     std::optional<OperatorCall> parse_lone_call();
+    std::optional<OperatorCall> parse_lone_edit_call();
     std::optional<std::vector<OutputTag>> parse_lone_outputs();
 
 private:
@@ -151,7 +152,8 @@ private:
     std::optional<StyleProperty> read_property();
     bool is_rule(const Token& first, bool is_keyword) const;
     std::optional<GroupRule> read_rule();
-    std::optional<OperatorCall> read_call(std::string_view example = "");
+    // `takes_pairs`: "ab" -> "c" may stand among the arguments, as the edits of words take it.
+    std::optional<OperatorCall> read_call(std::string_view example = "", bool takes_pairs = false);
     struct Clause {
         std::string_view word;
         ExpressionPtr& value;  // null until it is read
@@ -186,6 +188,11 @@ private:
     bool is_arrow(std::uint32_t at) const;
     bool accept_sign(char sign);
 
+    // --- edits of words (parse_word_edit.cpp)
+    bool is_word_edit(const Token& first) const;
+    std::optional<WordEditStatement> read_word_edit();
+    std::optional<OperatorCall> read_edit_call();
+
     // --- expressions (parse_expression.cpp)
     ExpressionPtr read_expression();   // the whole of `expr`
     ExpressionPtr read_plain_range();  // without `? :` and `in`: what `param` takes
@@ -200,7 +207,8 @@ private:
     Tree read_bracketed();
     Tree read_list();
     bool read_items(TokenKind close, std::vector<ExpressionPtr>& items, int& height);
-    bool read_arguments(std::vector<CallArgument>& arguments, int& height);
+    bool read_arguments(std::vector<CallArgument>& arguments, int& height, bool takes_pairs = false);
+    bool read_key(CallArgument& argument, const Token& first, bool takes_pairs);
     void fail_missing_value();
     template <class Node>
     Tree make(SourceSpan span, int height, Node node);

@@ -215,6 +215,7 @@ private:
     void read(const Statement&, const CellStatement&) {}
     void read(const Statement&, const SettingStatement&) {}
     void read(const Statement&, const RestStatement&) {}
+    void read(const Statement&, const WordEditStatement&) {}
     void read(const Statement&, const ApplyStatement& apply) { settings_.applies.push_back(&apply); }
     void read(const Statement&, const OperatorStatement& macro) { settings_.operators.push_back(&macro); }
     void read(const Statement&, const SystemStatement& system) { settings_.systems.push_back(&system); }

@@ -212,6 +212,18 @@ struct StatementUnparser {
         }
         return result + with(node.is_until ? "until" : "when", node.condition);
     }
+    std::string operator()(const WordEditStatement& node) const {
+        std::string result = "after " + to_text(std::uint64_t{node.first}) + ".." + to_text(std::uint64_t{node.last});
+        if (node.last == UINT32_MAX) result = "each iteration";
+        result = (node.is_once ? "once" : result) + " " + node.edit_name.text + "(";
+        for (const CallArgument& argument : node.arguments) {
+            if (&argument != &node.arguments.front()) result += ", ";
+            const bool is_pair = argument.key && std::holds_alternative<TextLiteral>(argument.key->node);
+            if (argument.key) result += unparse(argument.key) + (is_pair ? " -> " : ": ");
+            result += unparse(argument.value);
+        }
+        return result + ")";
+    }
     std::string operator()(const SettingStatement& node) const {
         std::string result = node.name.text;
         for (const ExpressionPtr& value : node.values) {
