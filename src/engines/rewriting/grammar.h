@@ -13,22 +13,10 @@
 #include "base/diagnostic.h"
 #include "base/random.h"
 #include "engines/rewriting/symbols.h"
+#include "engines/rewriting/word_edit.h"
 #include "language/expression.h"
 
 namespace filigree::rewriting {
-
-constexpr std::uint32_t every_iteration = UINT32_MAX;
-
-// A text in which patterns repeat: b{3 a+}c. Where the number is no constant, as in {$k p} and {(expr) p}, it is
-// evaluated when the text is put.
-struct Pattern {
-    struct Part {
-        std::u32string letters;  // where nothing repeats
-        ExpressionPtr count;     // null for letters
-        std::vector<Part> repeated;
-    };
-    std::vector<Part> parts;
-};
 
 struct Successor {
     enum class Kind : std::uint8_t { pattern, jump, cell };
@@ -96,7 +84,8 @@ struct System {
     std::vector<Gain> gains;  // 1 where nothing is said
     std::u32string ignored;   // letters that contexts look past
     std::uint32_t iterations = 0;
-    bool grows = false;  // a subsystem: rewritten along with the others, instead of put as a whole
+    bool frees_braces = false;  // { and } are letters
+    bool grows = false;         // a subsystem: rewritten along with the others, instead of put as a whole
     AfterRows after = AfterRows::identity;
     bool recalls_last = false;  // R= is what the last R drew, instead of the first
 };
@@ -120,6 +109,7 @@ struct Grammar {
     std::vector<System> systems = std::vector<System>(1);
     std::vector<Array> arrays;
     std::vector<Register> registers;  // with what they begin with
+    std::vector<WordEdit> edits;      // in the order of the document
     AgeMode ages = AgeMode::position;
     DrawMode draws = DrawMode::lineage;
 };

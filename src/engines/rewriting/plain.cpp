@@ -23,6 +23,7 @@ bool is_plain(const SymbolEntry& entry) { return entry.scope == 0 && entry.role 
 std::optional<Substitution> plain_substitution(Derivation& derivation, const Grammar& grammar) {
     const Word& word = derivation.word;
     if (!word.origins.empty() || !word.keys.empty() || !word.ages.empty()) return std::nullopt;
+    if (!grammar.edits.empty()) return std::nullopt;
     const System& system = grammar.systems[derivation.scopes[0].system];
     if (!system.rests.empty()) return std::nullopt;
     if (!std::all_of(system.rules.begin(), system.rules.end(), [](const Rule& rule) { return is_plain(rule); })) {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "engines/rewriting/pattern.h"
+#include "engines/rewriting/read_edit.h"
 #include "engines/rewriting/symbol_facts.h"
 #include "formats/csv_read.h"
 #include "language/check.h"
@@ -30,6 +31,7 @@ public:
         add_examples();
         read_system(document_.statements, 0, {});
         check_cells();
+        read_edits();
         const bool failed = has_errors(diagnostics_);
         if (failed) return std::move(diagnostics_);
         return Result<Grammar>(std::move(grammar_), std::move(diagnostics_));
@@ -300,6 +302,24 @@ private:
                      name.span, std::move(hints));
     }
 
+    // --- edits, which are said of the whole word ---
+
+    void read_edits() {
+        for (const Statement& statement : document_.statements) {
+            if (const auto* edit = std::get_if<WordEditStatement>(&statement.node)) read_one_edit(*edit);
+        }
+    }
+    void read_one_edit(const WordEditStatement& said) {
+        Result<WordEdit> edit =
+            read_edit({said.edit_name, said.arguments, said.call_span}, grammar_, document_, settings_.globals);
+        for (const Diagnostic& problem : edit.diagnostics()) report(problem);
+        if (!edit) return;
+        edit->is_once = said.is_once;
+        edit->first = said.first;
+        edit->last = said.last;
+        grammar_.edits.push_back(std::move(*edit));
+    }
+
     // --- one system ---
 
     void read_system(const std::vector<Statement>& statements, std::size_t which, const Name& name) {
@@ -311,6 +331,7 @@ private:
             if (setting != nullptr && setting->name.text == "free") read_free(*setting, which, frees_braces);
             if (const auto* macro = std::get_if<MacroStatement>(&statement.node)) read_macro(*macro, which);
         }
+        grammar_.systems[which].frees_braces = frees_braces;
         std::set<std::string_view> said;
         const Name* axiom = nullptr;
         for (const Statement& statement : statements) {
@@ -325,6 +346,10 @@ private:
                 }
                 if (setting->name.text == "axiom") axiom = &setting->name;
                 read_setting(*setting, which, frees_braces);
+            }
+            if (const auto* edit = std::get_if<WordEditStatement>(&statement.node); edit != nullptr && which != 0) {
+                report(error("rewriting.edit-in-system", "a system's word is not edited", edit->edit_name.span,
+                             {"edits stand outside of systems, and are for the whole word"}));
             }
             if (const auto* rule = std::get_if<WordRule>(&statement.node)) {
                 read_rule(*rule, statement.span, which, frees_braces);

@@ -45,4 +45,11 @@ std::string to_text(const Word& word, const Alphabet& alphabet) {
     return text;
 }
 
+std::u32string letters_of(const Word& word, const Alphabet& alphabet) {
+    std::u32string letters;
+    letters.reserve(word.size());
+    for (const Symbol symbol : word.symbols) letters += alphabet[symbol].letter;
+    return letters;
+}
+
 }  // namespace filigree::rewriting

@@ -26,5 +26,6 @@ struct Word {
 std::array<bool, max_symbols> symbols_in(const Word& word, std::size_t known);
 
 std::string to_text(const Word& word, const Alphabet& alphabet);
+std::u32string letters_of(const Word& word, const Alphabet& alphabet);
 
 }  // namespace filigree::rewriting

@@ -1,0 +1,229 @@
+#include "engines/rewriting/edit_step.h"
+
+#include <algorithm>
+
+#include "engines/rewriting/pattern.h"
+#include "language/walk.h"
+
+namespace filigree::rewriting {
+namespace {
+
+Diagnostics with_span(Diagnostics diagnostics, SourceSpan span) {
+    for (Diagnostic& diagnostic : diagnostics) {
+        if (diagnostic.span.file == SourceSpan::no_file) diagnostic.span = span;
+    }
+    return diagnostics;
+}
+
+// The rules of the document's own system that put one fixed text, whenever they do.
+std::vector<ChunkPair> productions_of(const Grammar& grammar, std::uint64_t most) {
+    std::vector<ChunkPair> productions;
+    for (const Rule& rule : grammar.systems[0].rules) {
+        for (const Successor& successor : rule.successors) {
+            if (successor.kind != Successor::Kind::pattern || !is_constant(successor.pattern)) continue;
+            const Result<std::u32string> text = expanded(successor.pattern, most, {});
+            if (text) productions.push_back({{rule.letter}, *text});
+        }
+    }
+    return productions;
+}
+
+class Editor {
+public:
+    Editor(const Derivation& derivation, const WordEdit& edit, const Grammar& grammar, const DeriveOptions& options,
+           const OtherDocument& other, const Job& job)
+        : derivation_(derivation),
+          edit_(edit),
+          grammar_(grammar),
+          options_(options),
+          other_(other),
+          job_(job),
+          names_(names_of_word(derivation.registers, derivation.iteration, options.globals)),
+          key_(child(Key{fold(options.root.value, edit.key.value)}, derivation.iteration)) {}
+
+    Result<EditOutput> run() const {
+        const std::u32string word = letters_of(derivation_.word, derivation_.alphabet);
+        EditArguments arguments(edit_, *options_.document, names_, options_.seed, key_);
+        if (Diagnostics problems = arguments.evaluate_common(most()); has_errors(problems)) return problems;
+        const Result<std::vector<ChunkPair>> pairs = put_pairs(edit_.pairs, *options_.document, names_, most());
+        if (!pairs) return pairs.diagnostics();
+        std::u32string other;
+        if (edit_.op->takes_other()) {
+            Result<std::u32string> found = other_word(arguments);
+            if (!found) return std::move(found).diagnostics();
+            other = std::move(*found);
+        }
+        const std::vector<ChunkPair> productions = productions_of(grammar_, most());
+        const auto bits = [this](std::uint32_t token, MutationDraw draw) {
+            return random_bits(options_.seed, child(key_, token), "edit", static_cast<std::uint64_t>(draw));
+        };
+        EditInput input{word, derivation_.word.ages, other, *pairs, productions, arguments, bits, most()};
+        return edit_.op->run(input);
+    }
+
+    // The word with its columns, in which the new symbols get theirs; none where there are too many symbols.
+    std::optional<Word> edited(const EditOutput& output, Alphabet& alphabet) const {
+        const Word& from = derivation_.word;
+        const std::vector<std::uint32_t> indexes = indexes_of(from);
+        Word to;
+        to.symbols.reserve(output.word.size());
+        std::uint64_t ancestor = options_.root.value;
+        std::uint64_t children = 0;
+        bool is_behind_run = false;
+        const Roles& roles = grammar_.systems[derivation_.scopes[0].system].roles;
+        for (std::size_t at = 0; at < output.word.size(); ++at) {
+            const std::uint32_t place = output.trace[at];
+            const char32_t letter = output.word[at];
+            if (letter == U'=') {
+                if (!to.symbols.empty()) to.symbols.push_back(Alphabet::freeze);  // behind nothing it means nothing
+                continue;
+            }
+            Role role = roles.of(letter);
+            if (place != new_symbol) {
+                const Symbol symbol = from.symbols[place];
+                const std::uint32_t index = indexes[place];
+                to.symbols.push_back(symbol);
+                if (!from.origins.empty()) to.origins.push_back(from.origins[index]);
+                if (!from.keys.empty()) to.keys.push_back(from.keys[index]);
+                if (!from.ages.empty()) to.ages.push_back(from.ages[index]);
+                ancestor = from.keys.empty() ? 0 : from.keys[index];
+                children = 0;
+                role = alphabet[symbol].role;
+            } else {
+                if (is_behind_run && roles.inverters.find(letter) != std::u32string::npos) role = Role::inverter;
+                const std::optional<Symbol> symbol = alphabet.number_of({letter, role, 0});
+                if (!symbol) return std::nullopt;
+                to.symbols.push_back(*symbol);
+                if (!from.origins.empty()) to.origins.push_back(role == Role::follower ? 1 : 0);
+                if (!from.keys.empty()) to.keys.push_back(fold(fold(ancestor, key_.value), children++));
+                if (!from.ages.empty()) to.ages.push_back(1);
+            }
+            is_behind_run = role == Role::counter;
+        }
+        return to;
+    }
+
+private:
+    // In both limits, whatever stands beside the symbols.
+    std::uint64_t most() const {
+        const Word& word = derivation_.word;
+        const std::uint64_t each =
+            1 + (word.origins.empty() ? 0 : 4) + (word.keys.empty() ? 0 : 8) + (word.ages.empty() ? 0 : 4);
+        return std::min(options_.limits.elements, options_.limits.memory_bytes / each);
+    }
+
+    // Of every place, which entry of the columns is its.
+    static std::vector<std::uint32_t> indexes_of(const Word& word) {
+        std::vector<std::uint32_t> indexes(word.size());
+        std::uint32_t index = 0;
+        for (std::size_t place = 0; place < word.size(); ++place) {
+            indexes[place] = index;
+            if (word.symbols[place] != Alphabet::freeze) ++index;
+        }
+        return indexes;
+    }
+
+    Result<std::u32string> other_word(const EditArguments& arguments) const {
+        if (arguments.is_given("with_word")) return arguments.letters("with_word");
+        const Value& with = arguments.value("with");
+        const auto* symbol = std::get_if<filigree::Symbol>(&with.data);
+        const auto* text = std::get_if<std::string>(&with.data);
+        const std::string name = symbol != nullptr ? symbol->name : text != nullptr ? *text : std::string();
+        if (const std::optional<std::uint32_t> system = system_of_letter(grammar_, name)) return word_of(*system);
+        if (text == nullptr || !other_) {
+            return error("rewriting.unknown-system", "there is no system '" + name + "'", with.span,
+                         {"another document is named in quotes"});
+        }
+        return other_(name);
+    }
+
+    // The word of a system behind all its iterations, derived on its own.
+    Result<std::u32string> word_of(std::uint32_t system) const {
+        DeriveOptions options = options_;
+        ++options.nested;
+        options.root = key_;
+        Result<Derivation> inner = begin(grammar_, options, system);
+        if (!inner) return std::move(inner).diagnostics();
+        for (std::uint32_t t = 0; t < grammar_.systems[system].iterations; ++t) {
+            if (is_cancelled(job_)) return cancelled_diagnostic();
+            if (std::optional<Diagnostic> problem = step(*inner, grammar_, options, job_)) return std::move(*problem);
+        }
+        return letters_of(inner->word, inner->alphabet);
+    }
+
+    const Derivation& derivation_;
+    const WordEdit& edit_;
+    const Grammar& grammar_;
+    const DeriveOptions& options_;
+    const OtherDocument& other_;
+    const Job& job_;
+    const Scope names_;
+    const Key key_;
+};
+
+bool acts(const WordEdit& edit, EditTime time, std::uint32_t iteration) {
+    if (edit.is_once || time == EditTime::end) return edit.is_once && time == EditTime::end;
+    return edit.first <= iteration && iteration <= edit.last;
+}
+
+}  // namespace
+
+Result<EditReport> apply_edit(Derivation& derivation, const WordEdit& edit, const Grammar& grammar,
+                              const DeriveOptions& options, const OtherDocument& other, const Job& job) {
+    const Editor editor(derivation, edit, grammar, options, other, job);
+    Result<EditOutput> output = editor.run();
+    if (!output) return with_span(std::move(output).diagnostics(), edit.span);
+    Alphabet alphabet = derivation.alphabet;
+    std::optional<Word> word = editor.edited(*output, alphabet);
+    if (!word) return with_span({too_many_symbols()}, edit.span);
+    EditReport report;
+    report.before = derivation.word.size();
+    report.after = word->size();
+    const auto is_new = [](std::uint32_t place) { return place == new_symbol; };
+    report.kept = output->trace.size() -
+                  static_cast<std::size_t>(std::count_if(output->trace.begin(), output->trace.end(), is_new));
+    report.replaced = output->replaced;
+    report.passes = output->passes;
+    report.changes = std::move(output->changes);
+    report.other = std::move(output->other);
+    derivation.word = std::move(*word);
+    derivation.alphabet = std::move(alphabet);
+    return {std::move(report), with_span(output.diagnostics(), edit.span)};
+}
+
+Diagnostics apply_edits(Derivation& derivation, const Grammar& grammar, EditTime time, const DeriveOptions& options,
+                        const OtherDocument& other, const Job& job) {
+    Diagnostics warnings;
+    for (const WordEdit& edit : grammar.edits) {
+        if (!acts(edit, time, derivation.iteration)) continue;
+        const Result<EditReport> report = apply_edit(derivation, edit, grammar, options, other, job);
+        if (!report) return report.diagnostics();
+        append(warnings, report.diagnostics());
+    }
+    return warnings;
+}
+
+bool asks_for_ages(const WordEdit& edit) {
+    return std::any_of(edit.by_token.begin(), edit.by_token.end(), [](const WordEdit::TokenExpression& one) {
+        const std::vector<NameInExpression> names = names_in(*one.expression);
+        return std::any_of(names.begin(), names.end(),
+                           [](const NameInExpression& name) { return name.text == "age" || name.text == "other_age"; });
+    });
+}
+
+Scope names_of_word(const std::vector<Register>& registers, std::uint32_t iteration, const Scope* globals) {
+    Scope names{globals};
+    for (const Register& known : registers) names.names[known.name] = Value{Quantity{known.value}, {}};
+    names.names["t"] = Value{Quantity{static_cast<double>(iteration)}, {}};
+    return names;
+}
+
+std::optional<std::uint32_t> system_of_letter(const Grammar& grammar, std::string_view letter) {
+    const std::u32string letters = letters_of(letter);
+    for (std::uint32_t s = 1; s < grammar.systems.size(); ++s) {
+        if (letters.size() == 1 && grammar.systems[s].letter == letters[0]) return s;
+    }
+    return std::nullopt;
+}
+
+}  // namespace filigree::rewriting
