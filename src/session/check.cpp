@@ -94,6 +94,9 @@ public:
         take(settings.diagnostics());
         // A rewriting document reads its systems itself.
         if (settings && settings->engine == "rewriting") {
+            for (const EmbeddedDocument& inner : opened.embedded) {
+                checked.embedded.push_back(inner.info.is_file ? check_other_word(inner) : nullptr);
+            }
             checked.settings = std::move(*settings);
             checked.shapes = std::make_shared<const ShapeSource>(opened.inputs, checked.settings->resolution);
             take(read_words(opened, checked));
@@ -136,12 +139,24 @@ public:
     }
 
 private:
-    std::shared_ptr<const CheckedDocument> check_embedded(const EmbeddedDocument& inner) {
+    std::shared_ptr<const CheckedDocument> check_once(const EmbeddedDocument& inner) {
         if (!inner.opened) return nullptr;
         const auto known = known_.find(inner.opened.get());
         if (known != known_.end()) return known->second;
         auto checked = std::make_shared<const CheckedDocument>(check(*inner.opened, example_site(inner.info)));
         known_.emplace(inner.opened.get(), checked);
+        return checked;
+    }
+    // What an edit of words names.
+    std::shared_ptr<const CheckedDocument> check_other_word(const EmbeddedDocument& inner) {
+        auto checked = check_embedded(inner);
+        if (checked && checked->settings && checked->settings->engine != "rewriting") {
+            append(diagnostics,
+                   at_first_source({error("rewriting.no-word",
+                                          "'" + inner.info.name + "' is no rewriting grammar, so it has no word",
+                                          checked->settings->engine_span)},
+                                   *inner.opened));
+        }
         return checked;
     }
 

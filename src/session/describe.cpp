@@ -199,7 +199,8 @@ std::string reference_markdown() {
         "# Reference\n\nMade by `filigree describe --markdown` from the descriptions that the program itself uses.\n\n";
     for (const EngineInfo& engine : engines()) {
         if (engine.operators.empty()) continue;
-        text += "## Operators of `" + std::string(engine.name) + "`: " + std::string(engine.help) + "\n\n";
+        text += "## " + std::string(engine.operators_are) + " of `" + std::string(engine.name) +
+                "`: " + std::string(engine.help) + "\n\n";
         for (const OperatorDescription* op : engine.operators) text += operator_markdown(*op);
     }
     text += "## Settings of `rewriting`\n\n| setting | what it says |\n|---|---|\n";

@@ -1,5 +1,6 @@
 #include "session/engines.h"
 
+#include "engines/rewriting/edit_operators.h"
 #include "engines/tangle/operators/operators.h"
 
 namespace filigree {
@@ -8,7 +9,10 @@ std::span<const EngineInfo> engines() {
     static const std::vector<EngineInfo> all = [] {
         EngineInfo tangle{"tangle", "group grammars that split, outline and fill regions of the plane", {}};
         for (const tangle::Operator& op : tangle::operators()) tangle.operators.push_back(&op.description);
-        const EngineInfo rewriting{"rewriting", "string rewriting with symbols that program it", {}};
+        EngineInfo rewriting{"rewriting", "string rewriting with symbols that program it", {}, "Edits"};
+        for (const rewriting::EditOperator& op : rewriting::edit_operators()) {
+            rewriting.operators.push_back(&op.description);
+        }
         return std::vector<EngineInfo>{tangle, rewriting};
     }();
     return all;

@@ -13,6 +13,7 @@ struct EngineInfo {
     std::string_view name;
     std::string_view help;
     std::vector<const OperatorDescription*> operators;
+    std::string_view operators_are = "Operators";  // what its documents call them
 };
 std::span<const EngineInfo> engines();
 

@@ -7,6 +7,7 @@
 #include "base/number_text.h"
 #include "base/random.h"
 #include "derivation/plane_start.h"
+#include "engines/rewriting/edit_operators.h"
 #include "formats/files.h"
 #include "formats/pdf_carried.h"
 #include "formats/svg_read.h"
@@ -104,26 +105,47 @@ bool looks_like_svg(std::string_view text) {
 
 // --- embedded documents ------------------------------------------------------------------------------------------
 
-// The call's arguments that may name the document to embed.
-void find_named(const std::vector<CallArgument>& arguments, std::vector<const Expression*>& found) {
+// The call's argument that may name another document, its first or that of a name: all that it may come to.
+void find_named(const std::vector<CallArgument>& arguments, std::string_view parameter,
+                std::vector<const Expression*>& found) {
     for (const CallArgument& argument : arguments) {
         const auto* key = argument.key ? std::get_if<NameReference>(&argument.key->node) : nullptr;
-        if (argument.key && (key == nullptr || key->name != "document")) continue;
+        if (argument.key && (key == nullptr || key->name != parameter)) continue;
         for (const Alternative& alternative : alternatives_of(*argument.value)) found.push_back(alternative.expression);
         return;
     }
 }
 
-// Every expression behind `embed` that names a document, in the order of the statements.
+// The other document of an edit of two words. The letter of a system, even in quotes, is none.
+void find_other_word(const WordEditStatement& edit, const std::vector<Statement>& statements,
+                     std::vector<const Expression*>& found) {
+    const rewriting::EditOperator* op = rewriting::find_edit(edit.edit_name.text);
+    if (op == nullptr || !op->takes_other()) return;
+    const std::size_t known = found.size();
+    find_named(edit.arguments, "with", found);
+    const auto is_system = [&](const Expression* named) {
+        const auto* text = std::get_if<TextLiteral>(&named->node);
+        return text != nullptr && std::any_of(statements.begin(), statements.end(), [&](const Statement& statement) {
+                   const auto* system = std::get_if<SystemStatement>(&statement.node);
+                   return system != nullptr && system->name.text == text->text;
+               });
+    };
+    found.erase(std::remove_if(found.begin() + static_cast<std::ptrdiff_t>(known), found.end(), is_system),
+                found.end());
+}
+
+// Every expression that names a document, behind `embed` and in edits of words, in the order of the statements.
 std::vector<const Expression*> embeddings(const std::vector<Statement>& statements) {
     std::vector<const Expression*> found;
     for (const Statement& statement : statements) {
         if (const auto* rule = std::get_if<GroupRule>(&statement.node)) {
-            if (rule->operator_name.text == "embed") find_named(rule->arguments, found);
+            if (rule->operator_name.text == "embed") find_named(rule->arguments, "document", found);
         } else if (const auto* apply = std::get_if<ApplyStatement>(&statement.node)) {
-            if (apply->operator_name.text == "embed") find_named(apply->arguments, found);
+            if (apply->operator_name.text == "embed") find_named(apply->arguments, "document", found);
         } else if (const auto* macro = std::get_if<OperatorStatement>(&statement.node)) {
             for (const Expression* inner : embeddings(macro->statements)) found.push_back(inner);
+        } else if (const auto* edit = std::get_if<WordEditStatement>(&statement.node)) {
+            find_other_word(*edit, statements, found);
         }
     }
     return found;

@@ -1,10 +1,6 @@
 #include "session/run.h"
 
-#include <algorithm>
-#include <chrono>
-
 #include "derivation/symmetric_drawing.h"
-#include "engines/rewriting/plain.h"
 #include "engines/tangle/derive.h"
 #include "engines/tangle/verify.h"
 #include "session/embed.h"
@@ -50,10 +46,6 @@ std::vector<UnmatchedPreset> unmatched_presets(const OpenedDocument& opened, con
 
 }  // namespace
 
-double now_seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 Result<tangle::Tangle> derive_document(const OpenedDocument& opened, const CheckedDocument& checked,
                                        const RunOptions& options, Executor& executor, const Job& job) {
     tangle::DeriveOptions derive;
@@ -63,57 +55,6 @@ Result<tangle::Tangle> derive_document(const OpenedDocument& opened, const Check
     derive.embed = embed_function(opened, job);
     derive.shapes = checked.shapes.get();
     return tangle::derive(*checked.grammar, *checked.start, *checked.settings, opened.document, derive, executor, job);
-}
-
-rewriting::DeriveOptions word_options(const OpenedDocument& opened, const CheckedDocument& checked,
-                                      const WordOptions& options) {
-    rewriting::DeriveOptions derive;
-    derive.seed = checked.settings->seed;
-    derive.root = options.root;
-    derive.limits = checked.settings->limits;
-    derive.limits.elements = std::min(derive.limits.elements, options.most_elements);
-    derive.document = &opened.document;
-    derive.globals = &checked.settings->globals;
-    derive.with_ages = rewriting::asks_for_ages(*checked.draw_rules, *checked.settings);
-    return derive;
-}
-
-Result<rewriting::Derivation> derive_word(const OpenedDocument& opened, const CheckedDocument& checked,
-                                          const WordOptions& wanted, Executor& executor, const Job& job) {
-    const rewriting::Grammar& grammar = *checked.words;
-    const rewriting::DeriveOptions options = word_options(opened, checked, wanted);
-    Result<rewriting::Derivation> derivation = rewriting::begin(grammar, options);
-    if (!derivation) return derivation.diagnostics();
-    const std::uint64_t count = wanted.steps.value_or(grammar.systems[0].iterations);
-    if (const auto plain = rewriting::plain_substitution(*derivation, grammar)) {
-        std::optional<Diagnostic> problem =
-            rewriting::step_plainly(*derivation, *plain, count, options.limits, executor);
-        if (problem) return std::move(*problem);
-        return derivation;
-    }
-    for (std::uint64_t i = 0; i < count; ++i) {
-        report(job, "derive", static_cast<double>(i) / static_cast<double>(count));
-        if (is_cancelled(job)) return cancelled_diagnostic();
-        if (std::optional<Diagnostic> problem = rewriting::step(*derivation, grammar, options, job)) {
-            return std::move(*problem);
-        }
-    }
-    return derivation;
-}
-
-Result<DrawnWord> draw_word(const OpenedDocument& opened, const CheckedDocument& checked, const WordOptions& options,
-                            Executor& executor, const Job& job) {
-    Result<rewriting::Derivation> derivation = derive_word(opened, checked, options, executor, job);
-    if (!derivation) return derivation.diagnostics();
-    const double derived = now_seconds();
-    const rewriting::DrawOptions draw{options.root, checked.shapes.get(), {job.cancel_flag, {}}};
-    Result<rewriting::Picture> picture =
-        rewriting::draw(*derivation, *checked.draw_rules, *checked.settings, opened.document, draw);
-    if (!picture) return picture.diagnostics();
-    ChoiceRecorder recorder;
-    recorder.append(checked.settings->definitions);
-    DrawnWord drawn{{std::move(*derivation), std::move(recorder.choices)}, std::move(picture->drawing), derived};
-    return {std::move(drawn), picture.diagnostics()};
 }
 
 namespace {

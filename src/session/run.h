@@ -9,11 +9,10 @@
 #include "base/executor.h"
 #include "base/job.h"
 #include "derivation/plane_start.h"
-#include "engines/rewriting/draw.h"
 #include "engines/tangle/draw.h"
 #include "engines/tangle/tangle.h"
 #include "scene/drawing.h"
-#include "session/check.h"
+#include "session/derive_word.h"
 
 namespace filigree {
 
@@ -36,12 +35,6 @@ struct UnmatchedPreset {
     SourceSpan span;
 };
 
-// What a rewriting document came to.
-struct WordRun {
-    rewriting::Derivation derivation;
-    Choices choices;  // of the document's definitions
-};
-
 struct Run {
     tangle::Tangle tangle;        // without groups where there is a word
     tangle::Picture picture;      // without its drawing
@@ -58,34 +51,8 @@ struct Run {
 Result<tangle::Tangle> derive_document(const OpenedDocument& opened, const CheckedDocument& checked,
                                        const RunOptions& options, Executor& executor, const Job& job);
 
-struct WordOptions {
-    std::optional<std::uint64_t> steps;  // iterations; none: as many as the document says
-    Key root;                            // folded into all keys
-    std::uint64_t most_elements = UINT64_MAX;
-};
-
-// What rewriting is told of the document.
-rewriting::DeriveOptions word_options(const OpenedDocument& opened, const CheckedDocument& checked,
-                                      const WordOptions& options = {});
-
-// The word of a rewriting document.
-Result<rewriting::Derivation> derive_word(const OpenedDocument& opened, const CheckedDocument& checked,
-                                          const WordOptions& options, Executor& executor, const Job& job);
-
-// The same with its drawing.
-struct DrawnWord {
-    WordRun run;
-    Drawing drawing;
-    double derived = 0;  // when that was done: now_seconds
-};
-Result<DrawnWord> draw_word(const OpenedDocument& opened, const CheckedDocument& checked, const WordOptions& options,
-                            Executor& executor, const Job& job);
-
 // With a drawing of what was derived.
 Result<Run> run_document(const OpenedDocument& opened, const CheckedDocument& checked, const RunOptions& options,
                          Executor& executor, const Job& job);
-
-// Seconds of a steady clock, for measuring alone.
-double now_seconds();
 
 }  // namespace filigree

@@ -76,6 +76,21 @@ struct EditCommand {
 };
 int run_edit(const EditCommand& command);
 
+// edit: one edit of a word
+struct WordEditCommand {
+    std::filesystem::path document;
+    OpenOptions open;
+    std::optional<std::uint64_t> steps;
+    std::size_t threads = 0;
+    std::string edit;                                            // its name
+    std::vector<std::pair<std::string, std::string>> arguments;  // parameters, and values as a document writes them
+    std::vector<std::string> pairs;                              // "aaa -> b", without quotes
+    std::string with;                                            // another document, or the letter of a system
+    std::filesystem::path output;                                // empty: the word alone, to standard output
+    bool json = false;
+};
+int run_word_edit(const WordEditCommand& command);
+
 struct VariationsCommand {
     std::filesystem::path document;
     OpenOptions open;

@@ -18,13 +18,7 @@ Diagnostics output_problems(const EditCommand& command, const OpenedDocument& op
     std::vector<std::filesystem::path> read = opened.files;
     if (!opened.carries_inputs && !read.empty()) read.erase(read.begin());
     Diagnostics problems = overwrites({command.output}, read);
-    if (problems.empty() && is_known_format(command.output)) {
-        Diagnostic wrong =
-            fault(Fault::usage, "edit.not-a-drawing",
-                  "an edited document is text, so it is not written to '" + command.output.string() + "'");
-        wrong.hints.push_back("write a .fil file, and render that");
-        problems.push_back(std::move(wrong));
-    }
+    if (problems.empty()) problems = not_a_document(command.output);
     return problems;
 }
 

@@ -1,5 +1,6 @@
 // The command line of Filigree: thin. It turns words into options and calls a command.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -7,7 +8,9 @@
 
 #include "apps/filigree/commands.h"
 #include "base/heap.h"
+#include "engines/rewriting/edit_operators.h"
 #include "language/parse.h"
+#include "session/edit_word.h"
 
 namespace {
 
@@ -313,6 +316,104 @@ void add_apply(CLI::App& app, Run& run) {
     });
 }
 
+// One edit of the word of a document, a subcommand each.
+struct WordEditFlags {
+    filigree::WordEditCommand command;
+    OpenFlags flags;
+    std::uint64_t steps = 0;
+    std::string format = "text";
+    CLI::Option* steps_option = nullptr;
+    // By the place of the edit and of its parameter; texts are put in quotes.
+    struct Given {
+        const filigree::ParameterDescription* parameter = nullptr;
+        CLI::Option* option = nullptr;
+        std::string value;
+    };
+    std::map<std::string_view, std::vector<std::unique_ptr<Given>>> given;
+};
+
+// "passes, --passes": parameters that must be given may stand without a name.
+std::string option_name(const filigree::ParameterDescription& parameter) {
+    std::string name(parameter.name);
+    std::replace(name.begin(), name.end(), '_', '-');
+    return (parameter.default_text.empty() ? name + "," : "") + "--" + name;
+}
+
+std::string help_of(const filigree::ParameterDescription& parameter) {
+    std::string words;
+    for (const std::string_view word : parameter.words) words += (words.empty() ? ": " : ", ") + std::string(word);
+    const bool has_default = parameter.type != filigree::ParameterType::text &&
+                             parameter.type != filigree::ParameterType::flag && !parameter.default_text.empty();
+    return std::string(parameter.help) + words +
+           (has_default ? " [" + std::string(parameter.default_text) + "]" : std::string());
+}
+
+void add_parameter(CLI::App& command, WordEditFlags& flags, const filigree::ParameterDescription& parameter) {
+    const std::string help = help_of(parameter);  // const: else it would be what add_flag fills
+    if (parameter.name == "with") {
+        command.add_option("--with", flags.command.with, "the other word: the letter of a system, or another document");
+        return;
+    }
+    auto given = std::make_unique<WordEditFlags::Given>();
+    given->parameter = &parameter;
+    const bool is_switch = parameter.default_text == "false";
+    given->option = is_switch ? command.add_flag(option_name(parameter), help)
+                              : command.add_option(option_name(parameter), given->value, help);
+    if (parameter.default_text.empty()) given->option->required();
+    flags.given[command.get_name()].push_back(std::move(given));
+}
+
+void take_given(WordEditFlags& flags) {
+    for (const auto& given : flags.given[flags.command.edit]) {
+        if (given->option->count() == 0) continue;
+        const bool is_text = given->parameter->type == filigree::ParameterType::text;
+        const bool is_switch = given->parameter->default_text == "false";
+        flags.command.arguments.emplace_back(given->parameter->name, is_switch ? "true"
+                                                                     : is_text ? filigree::quoted_text(given->value)
+                                                                               : given->value);
+    }
+}
+
+void add_word_edits(CLI::App& app, Run& run) {
+    const auto flags = std::make_shared<WordEditFlags>();
+    CLI::App& command = *app.add_subcommand("edit", "edit the word that a rewriting document derives");
+    command.add_option("document", flags->command.document, document_help)->required();
+    flags->steps_option =
+        command.add_option("--steps", flags->steps, "how many iterations; the document's own number if left out");
+    command.add_option("-o,--output", flags->command.output, "write the document with the word for its axiom");
+    command.add_option("--format", flags->format, "text or json")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->capture_default_str();
+    add_open_flags(command, flags->flags);
+    add_threads(command, flags->command.threads);
+    command.require_subcommand(1);
+    command.footer("--help behind an edit explains its arguments; values are written as in documents, texts bare.");
+    using Pairs = filigree::rewriting::EditOperator::Pairs;
+    for (const filigree::rewriting::EditOperator& op : filigree::rewriting::edit_operators()) {
+        CLI::App& edit = *command.add_subcommand(std::string(op.description.name), std::string(op.description.help));
+        edit.fallthrough();
+        for (const filigree::ParameterDescription& parameter : op.description.parameters) {
+            add_parameter(edit, *flags, parameter);
+        }
+        if (op.pairs == Pairs::chunks) {
+            edit.add_option("pairs,--pair", flags->command.pairs, "what is replaced by what: 'aaa -> b'");
+        } else if (op.pairs == Pairs::reactions) {
+            edit.add_option("pairs,--pair", flags->command.pairs,
+                            "reactions: 'ab -> c', or with what stands around the symbols 'l < a > r  b -> c'");
+        }
+        edit.callback([flags, &op] { flags->command.edit = op.description.name; });
+    }
+    when_chosen<WordEditFlags>(command, run, flags, [](WordEditFlags& given) -> Run {
+        given.command.open = open_options(given.flags);
+        if (given.steps_option->count() > 0) given.command.steps = given.steps;
+        given.command.json = given.format == "json";
+        return [&given] {
+            take_given(given);
+            return filigree::run_word_edit(given.command);
+        };
+    });
+}
+
 // --- commands about the language -----------------------------------------------------------------------------------
 
 void add_describe(CLI::App& app, Run& run) {
@@ -356,6 +457,7 @@ int main(int argc, char** argv) {
     add_keep(app, run);
     add_reroll(app, run);
     add_apply(app, run);
+    add_word_edits(app, run);
     add_variations(app, run);
     app.add_subcommand("list", "list engines, operators, start shapes and functions")->callback([&run] {
         run = filigree::run_list;

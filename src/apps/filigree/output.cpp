@@ -50,6 +50,13 @@ Diagnostics unknown_formats(const std::vector<fs::path>& outputs, bool takes_mes
     return problems;
 }
 
+Diagnostics not_a_document(const fs::path& output) {
+    if (!is_known_format(output)) return {};
+    return {usage_error("edit.not-a-drawing",
+                        "an edited document is text, so it is not written to '" + output.string() + "'",
+                        {"write a .fil file, and render that"})};
+}
+
 Diagnostics same_outputs(const std::vector<fs::path>& targets) {
     Diagnostics problems;
     for (std::size_t i = 0; i < targets.size(); ++i) {

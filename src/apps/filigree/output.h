@@ -18,6 +18,8 @@ bool is_mesh_format(const std::filesystem::path& output);
 std::filesystem::path materials_beside(const std::filesystem::path& output);
 // Errors for endings that are neither.
 Diagnostics unknown_formats(const std::vector<std::filesystem::path>& outputs, bool takes_meshes = false);
+// For a drawing's ending where a document is written.
+Diagnostics not_a_document(const std::filesystem::path& output);
 // For targets that are given twice.
 Diagnostics same_outputs(const std::vector<std::filesystem::path>& targets);
 // For targets that are read: a document and what it reads are never overwritten by what they make.

@@ -1,0 +1,103 @@
+#include "session/derive_word.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "engines/rewriting/edit_step.h"
+#include "engines/rewriting/plain.h"
+
+namespace filigree {
+namespace {
+
+// The words of the documents that edits name.
+rewriting::OtherDocument other_documents(const OpenedDocument& opened, const CheckedDocument& checked,
+                                         Executor& executor, const Job& job) {
+    return [&](const std::string& name) -> Result<std::u32string> {
+        for (std::size_t i = 0; i < opened.embedded.size(); ++i) {
+            const EmbeddedDocument& inner = opened.embedded[i];
+            if (!inner.info.is_file || inner.info.name != name || !inner.opened) continue;
+            const bool is_checked = i < checked.embedded.size() && checked.embedded[i];
+            const CheckedDocument own = is_checked ? CheckedDocument() : check_document(*inner.opened);
+            const Result<rewriting::Derivation> word =
+                derive_word(*inner.opened, is_checked ? *checked.embedded[i] : own, {}, executor, job);
+            if (!word) return at_first_source(word.diagnostics(), *inner.opened);
+            return rewriting::letters_of(word->word, word->alphabet);
+        }
+        return error("rewriting.unknown-document", "there is no document '" + name + "'", {},
+                     {"the name of another document stands in the edit itself"});
+    };
+}
+
+}  // namespace
+
+double now_seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+rewriting::DeriveOptions word_options(const OpenedDocument& opened, const CheckedDocument& checked,
+                                      const WordOptions& options) {
+    rewriting::DeriveOptions derive;
+    derive.seed = checked.settings->seed;
+    derive.root = options.root;
+    derive.limits = checked.settings->limits;
+    derive.limits.elements = std::min(derive.limits.elements, options.most_elements);
+    derive.document = &opened.document;
+    derive.globals = &checked.settings->globals;
+    const std::vector<rewriting::WordEdit>& edits = checked.words->edits;
+    const bool edits_ask = std::any_of(edits.begin(), edits.end(),
+                                       [](const rewriting::WordEdit& edit) { return rewriting::asks_for_ages(edit); });
+    derive.with_ages = options.with_ages || edits_ask ||
+                       rewriting::asks_for_ages(*checked.draw_rules, *checked.settings);
+    return derive;
+}
+
+Result<rewriting::Derivation> derive_word(const OpenedDocument& opened, const CheckedDocument& checked,
+                                          const WordOptions& wanted, Executor& executor, const Job& job) {
+    const rewriting::Grammar& grammar = *checked.words;
+    const rewriting::DeriveOptions options = word_options(opened, checked, wanted);
+    const rewriting::OtherDocument others = other_documents(opened, checked, executor, job);
+    Diagnostics warnings;
+    const auto edit = [&](rewriting::Derivation& derivation, rewriting::EditTime time) {
+        append(warnings, rewriting::apply_edits(derivation, grammar, time, options, others, job));
+        return !has_errors(warnings);
+    };
+    Result<rewriting::Derivation> derivation = rewriting::begin(grammar, options);
+    if (!derivation) return derivation.diagnostics();
+    const std::uint64_t count = wanted.steps.value_or(grammar.systems[0].iterations);
+    if (const auto plain = rewriting::plain_substitution(*derivation, grammar)) {
+        std::optional<Diagnostic> problem =
+            rewriting::step_plainly(*derivation, *plain, count, options.limits, executor);
+        if (problem) return std::move(*problem);
+        return derivation;
+    }
+    for (std::uint64_t i = 0; i < count; ++i) {
+        report(job, "derive", static_cast<double>(i) / static_cast<double>(count));
+        if (is_cancelled(job)) return cancelled_diagnostic();
+        if (std::optional<Diagnostic> problem = rewriting::step(*derivation, grammar, options, job)) {
+            return std::move(*problem);
+        }
+        if (!edit(*derivation, rewriting::EditTime::iteration)) return warnings;
+    }
+    if (!edit(*derivation, rewriting::EditTime::end)) return warnings;
+    return {std::move(*derivation), std::move(warnings)};
+}
+
+Result<DrawnWord> draw_word(const OpenedDocument& opened, const CheckedDocument& checked, const WordOptions& options,
+                            Executor& executor, const Job& job) {
+    Result<rewriting::Derivation> derivation = derive_word(opened, checked, options, executor, job);
+    if (!derivation) return derivation.diagnostics();
+    Diagnostics warnings = derivation.diagnostics();
+    const double derived = now_seconds();
+    const rewriting::DrawOptions draw{options.root, checked.shapes.get(), {job.cancel_flag, {}}};
+    Result<rewriting::Picture> picture =
+        rewriting::draw(*derivation, *checked.draw_rules, *checked.settings, opened.document, draw);
+    if (!picture) return picture.diagnostics();
+    append(warnings, picture.diagnostics());
+    ChoiceRecorder recorder;
+    recorder.append(checked.settings->definitions);
+    DrawnWord drawn{
+        {std::move(*derivation), std::move(recorder.choices)}, std::move(picture->drawing), derived};
+    return {std::move(drawn), std::move(warnings)};
+}
+
+}  // namespace filigree
