@@ -387,7 +387,8 @@ void add_word_edits(CLI::App& app, Run& run) {
     add_open_flags(command, flags->flags);
     add_threads(command, flags->command.threads);
     command.require_subcommand(1);
-    command.footer("--help behind an edit explains its arguments; values are written as in documents, texts bare.");
+    command.footer(
+        "Values are written as in documents, texts without quotes. `filigree edit DOC EDIT --help` explains an edit.");
     using Pairs = filigree::rewriting::EditOperator::Pairs;
     for (const filigree::rewriting::EditOperator& op : filigree::rewriting::edit_operators()) {
         CLI::App& edit = *command.add_subcommand(std::string(op.description.name), std::string(op.description.help));

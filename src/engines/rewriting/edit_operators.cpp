@@ -83,7 +83,8 @@ std::vector<EditOperator> all_operators() {
           .example = "once breed(B, carry)"},
          run_breed},
         {{.name = "react",
-          .help = "lets the tokens at one place of two words react: a pair in the list gives its product",
+          .help =
+              "lets the tokens at one place of two words react: \"ac\" -> \"e\" puts e where one has a, the other c",
           .source = paper,
           .parameters = with_other(
               {{.name = "unreacted",
@@ -102,7 +103,8 @@ std::vector<EditOperator> all_operators() {
          Pairs::reactions,
          {{"where", pair_facts}}},
         {{.name = "compress",
-          .help = "puts one symbol in the place of each chunk, the longest first, from the left",
+          .help =
+              "puts one symbol in the place of each chunk, as \"aaa\" -> \"b\" says: the longest first, from the left",
           .source = "GDesign, Fig. 16",
           .parameters = {{.name = "by_rules",
                           .type = Type::flag,
@@ -113,7 +115,8 @@ std::vector<EditOperator> all_operators() {
          run_compress,
          Pairs::chunks},
         {{.name = "substitute",
-          .help = "the same with any text in the place of each chunk, whose brackets are like those of the chunk",
+          .help = "puts any text in the place of each chunk, as \"aa\" -> \"T+b\" says, its brackets like those of the "
+                  "chunk",
           .source = paper,
           .parameters = {count("passes", "how often, at most, until nothing is left to replace", "1", 1, 1e6)},
           .example = "once substitute(\"aa\" -> \"T+b\")"},
