@@ -69,7 +69,7 @@ TEST(WordEdit, TheVectorsByStatementAndByCommand) {
         const TestFolder folder;
         const Asked edit = asked(row["op"], row["args"]);
         const std::string axiom = "axiom \"" + row["args"][0].get<std::string>() + "\"\n";
-        EXPECT_EQ(derived(folder, axiom + "once " + edit.call + "\n"), row["result"]) << row;
+        EXPECT_EQ(derived(folder, axiom + "once " + edit.call + "\n"), row["result"].get<std::string>()) << row;
         const std::string document = folder.write("a.fil", "grammar rewriting\n" + axiom);
         const Ran ran = run_program("edit " + document + " " + edit.command);
         EXPECT_EQ(ran.out, row["result"].get<std::string>() + "\n") << edit.command;

@@ -71,6 +71,7 @@ EditedWord edit_word(const OpenedDocument& opened, const CheckedDocument& checke
         edited.sources = opened.sources;
         return edited;
     }
+    append(edited.diagnostics, derivation.diagnostics());
     rewriting::DeriveOptions options = word_options(opened, checked);
     options.document = &document;
     Result<rewriting::EditReport> report =

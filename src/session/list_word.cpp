@@ -52,9 +52,10 @@ Result<std::string> answer(const OpenedDocument& opened, const CheckedDocument& 
     if (!derivation) return derivation.diagnostics();
     const auto plain = rewriting::plain_substitution(*derivation, grammar);
     if (!plain) {
-        return error("rewriting.not-plain",
-                     "only words of a grammar without choices, contexts and special symbols can be asked for that",
-                     checked.settings->engine_span);
+        return error(
+            "rewriting.not-plain",
+            "only words of a grammar without choices, contexts, edits and special symbols can be asked for that",
+            checked.settings->engine_span);
     }
     const std::uint64_t count = steps.value_or(grammar.systems[0].iterations);
     const std::vector<rewriting::Symbol>& axiom = derivation->word.symbols;

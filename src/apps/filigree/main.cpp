@@ -323,13 +323,12 @@ struct WordEditFlags {
     std::uint64_t steps = 0;
     std::string format = "text";
     CLI::Option* steps_option = nullptr;
-    // By the place of the edit and of its parameter; texts are put in quotes.
     struct Given {
         const filigree::ParameterDescription* parameter = nullptr;
         CLI::Option* option = nullptr;
         std::string value;
     };
-    std::map<std::string_view, std::vector<std::unique_ptr<Given>>> given;
+    std::map<std::string, std::vector<std::unique_ptr<Given>>> given;  // by the edit's name, one a parameter
 };
 
 // "passes, --passes": parameters that must be given may stand without a name.

@@ -53,7 +53,9 @@ public:
             if (!found) return std::move(found).diagnostics();
             other = std::move(*found);
         }
-        const std::vector<ChunkPair> productions = productions_of(grammar_, most());
+        std::vector<ChunkPair> productions;
+        if (edit_.op->pairs == EditOperator::Pairs::chunks && edit_.pairs.empty())
+            productions = productions_of(grammar_, most());
         const auto bits = [this](std::uint32_t token, MutationDraw draw) {
             return random_bits(options_.seed, child(key_, token), "edit", static_cast<std::uint64_t>(draw));
         };
