@@ -139,7 +139,7 @@ public:
     }
 
 private:
-    std::shared_ptr<const CheckedDocument> check_once(const EmbeddedDocument& inner) {
+    std::shared_ptr<const CheckedDocument> check_embedded(const EmbeddedDocument& inner) {
         if (!inner.opened) return nullptr;
         const auto known = known_.find(inner.opened.get());
         if (known != known_.end()) return known->second;

@@ -68,7 +68,7 @@ OtherWord other_word(const std::filesystem::path& document, const OpenOptions& o
     } else if (!checked.words) {
         other.word = fault(Fault::usage, "edit.no-word", "'" + document.string() + "' derives no word");
     } else {
-        const Result<rewriting::Derivation> derived = derive_word(*opened, checked, std::nullopt, executor, job);
+        const Result<rewriting::Derivation> derived = derive_word(*opened, checked, {}, executor, job);
         other.word = derived ? Result(rewriting::letters_of(derived->word, derived->alphabet))
                              : Result<std::u32string>(derived.diagnostics());
     }
