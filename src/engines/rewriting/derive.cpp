@@ -5,7 +5,6 @@
 #include "engines/rewriting/decide.h"
 #include "engines/rewriting/pattern.h"
 #include "engines/rewriting/rewrite.h"
-#include "engines/rewriting/symbol_facts.h"
 
 namespace filigree::rewriting {
 namespace {
@@ -62,6 +61,7 @@ std::optional<std::vector<Symbol>> symbols_of(std::u32string_view letters, const
 Result<Derivation> begin(const Grammar& grammar, const DeriveOptions& options, std::uint32_t which) {
     const System& system = grammar.systems[which];
     Derivation derivation;
+    derivation.asked = facts_asked(grammar);
     derivation.scopes.push_back({which, 0});
     derivation.registers = grammar.registers;
     Scope names;
@@ -83,7 +83,7 @@ Result<Derivation> begin(const Grammar& grammar, const DeriveOptions& options, s
     Word& word = derivation.word;
     word.symbols = std::move(*symbols);
     const bool with_keys = draws(grammar) && grammar.draws == DrawMode::lineage;
-    const bool with_ages = options.with_ages || has(facts_asked(grammar), Fact::age);
+    const bool with_ages = options.with_ages || has(derivation.asked, Fact::age);
     std::uint64_t index = 0;
     for (const Symbol symbol : word.symbols) {
         if (symbol == Alphabet::freeze) continue;

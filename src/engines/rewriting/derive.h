@@ -20,6 +20,7 @@
 #include "base/limits.h"
 #include "base/result.h"
 #include "engines/rewriting/grammar.h"
+#include "engines/rewriting/symbol_facts.h"
 #include "engines/rewriting/word.h"
 #include "language/evaluate.h"
 
@@ -47,6 +48,7 @@ struct Derivation {
         std::uint64_t left = 0;  // iterations for which it still serves
     };
 
+    FactSet asked{};  // what the grammar asks of symbols
     Alphabet alphabet;
     std::vector<Scope> scopes;  // by SymbolEntry::scope; [0] is the outermost system
     Word word;

@@ -16,7 +16,7 @@ bool serves(const Rule& rule, std::uint32_t iteration) { return rule.first <= it
 }  // namespace
 
 RuleMatcher::RuleMatcher(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options)
-    : derivation_(derivation), grammar_(grammar), options_(options), asked_(facts_asked(grammar)) {
+    : derivation_(derivation), grammar_(grammar), options_(options), asked_(derivation.asked) {
     names_.outer = options.globals;
     for (const Register& known : derivation.registers) names_.names[known.name] = number(known.value);
     names_of_row_.outer = names_of_symbol_.outer = &names_;

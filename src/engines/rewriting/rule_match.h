@@ -9,7 +9,6 @@
 
 #include "engines/rewriting/contexts.h"
 #include "engines/rewriting/derive.h"
-#include "engines/rewriting/symbol_facts.h"
 
 namespace filigree::rewriting {
 
@@ -92,7 +91,7 @@ private:
     const DeriveOptions& options_;
     Scope names_, names_of_symbol_, names_of_row_;
     std::size_t named_ = SIZE_MAX;  // whose names the symbol's are
-    const FactSet asked_;
+    const FactSet& asked_;
     std::unique_ptr<SymbolFacts> facts_;
     std::unique_ptr<Contexts> contexts_;
 };
