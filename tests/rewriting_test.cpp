@@ -69,6 +69,11 @@ TEST(Rewriting, ExplainsASymbol) {
     EXPECT_NE(json.find("\"turns\": 1,\n      \"then\": \"asleep\",\n      \"rule\": null"), std::string::npos) << json;
     EXPECT_NE(json.find("\"becomes\": \"a\""), std::string::npos) << json;
     EXPECT_NE(json.find("\"verdict\": \"applies\""), std::string::npos) << json << "were it awake";
+    const std::string held = folder.write("b.fil", grammar + "mask b@2\nsleep c until t > 2\n");
+    EXPECT_EQ(run_program("derive " + held + " --steps 1 --explain 7").out,
+              "iteration 0: c at 5, of the axiom\niteration 1: c at 7, from the one before, kept by " + held +
+                  ":12: sleep c until t > 2\niteration 2: kept by " + held +
+                  ":12: sleep c until t > 2; it becomes \"c\"\n");
     EXPECT_EQ(derived(grammar, "--steps 1 --explain 9").substr(0, 2), "2 ");
     EXPECT_EQ(derived("grammar tangle\nstart a = circle(50)\n", "--explain 0").substr(0, 2), "2 ");
 }

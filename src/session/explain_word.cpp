@@ -32,7 +32,7 @@ FateText text_of(Fate fate) {
         case Fate::asleep:
             return {"asleep", "kept, since it sleeps"};
         case Fate::resting:
-            return {"resting", "kept by a mask or a sleep"};
+            return {"resting", "kept by "};  // a mask or a sleep
         case Fate::at_rest:
             return {"at-rest", "kept, since the iterations of its system are over"};
         case Fate::counted:
@@ -70,16 +70,20 @@ std::string_view name_of(const RuleTrial& trial) {
     return "";
 }
 
-std::string place_of(const OpenedDocument& opened, SourceSpan span) {
+// A rule or a mask, without what follows its first line.
+struct Said {
+    std::string file;
+    std::uint32_t line = 1;
+    std::string text;
+};
+Said said_at(const OpenedDocument& opened, SourceSpan span) {
     const SourceFile& source = opened.document.sources[span.file];
-    return source.name + ":" + to_text(std::uint64_t{line_column(source.text, span.begin).line});
+    const std::string all = source.text.substr(span.begin, span.end - span.begin);
+    return {source.name, line_column(source.text, span.begin).line, all.substr(0, all.find('\n'))};
 }
-
-// As the document has it, without what follows its first line.
-std::string rule_text(const OpenedDocument& opened, const Rule& rule) {
-    const std::string& text = opened.document.sources[rule.span.file].text;
-    const std::string all = text.substr(rule.span.begin, rule.span.end - rule.span.begin);
-    return all.substr(0, all.find('\n'));
+std::string said_text(const OpenedDocument& opened, SourceSpan span) {
+    const Said said = said_at(opened, span);
+    return said.file + ":" + std::to_string(said.line) + ": " + said.text;
 }
 
 std::string instead(const RuleTrial& trial, const std::u32string& wanted, std::string_view where) {
@@ -127,10 +131,14 @@ std::string reason(const RuleTrial& trial, const SymbolMoment& moment) {
     return "";
 }
 
+std::string fate_text(const OpenedDocument& opened, const SymbolMoment& moment) {
+    return std::string(text_of(moment.fate).text) +
+           (moment.rest != nullptr ? said_text(opened, moment.rest->span) : std::string());
+}
+
 std::string told(const OpenedDocument& opened, const rewriting::Explanation& explanation) {
     std::string text;
-    const Rule* putter = nullptr;
-    Fate before = Fate::kept;
+    const SymbolMoment* before = nullptr;
     for (const SymbolMoment& moment : explanation.moments) {
         text += "iteration " + std::to_string(moment.iteration) + ": " + letter_text(moment.letter) + " at " +
                 std::to_string(moment.index);
@@ -139,32 +147,27 @@ std::string told(const OpenedDocument& opened, const rewriting::Explanation& exp
             text += ", asleep for " + std::to_string(moment.turns) + (moment.turns == 1 ? " turn" : " turns");
         if (moment.iteration == 0) {
             text += ", of the axiom";
-        } else if (putter != nullptr) {
-            text += ", put by " + place_of(opened, putter->span) + ": " + rule_text(opened, *putter);
+        } else if (before->rule != nullptr) {
+            text += ", put by " + said_text(opened, before->rule->span);
         } else {
-            text += ", from the one before, " + std::string(text_of(before).text);
+            text += ", from the one before, " + fate_text(opened, *before);
         }
         text += "\n";
-        putter = moment.rule;
-        before = moment.fate;
+        before = &moment;
     }
     const SymbolMoment& last = explanation.moments.back();
     text += "iteration " + std::to_string(last.iteration + 1) + ": ";
-    text += last.fate == Fate::rewritten || !explanation.next ? "" : std::string(text_of(last.fate).text) + "; ";
+    text += last.fate == Fate::rewritten || !explanation.next ? "" : fate_text(opened, last) + "; ";
     text += explanation.next ? "it becomes \"" + rewriting::to_utf8(*explanation.next) + "\"\n" : "it cannot be made\n";
     for (const RuleTrial& trial : last.trials) {
-        text += "  " + place_of(opened, trial.rule->span) + ": " + rule_text(opened, *trial.rule) + "\n    " +
-                reason(trial, last) + "\n";
+        text += "  " + said_text(opened, trial.rule->span) + "\n    " + reason(trial, last) + "\n";
     }
     return text;
 }
 
-Json rule_json(const OpenedDocument& opened, const Rule* rule) {
-    if (rule == nullptr) return nullptr;
-    const SourceFile& source = opened.document.sources[rule->span.file];
-    return {{"file", source.name},
-            {"line", line_column(source.text, rule->span.begin).line},
-            {"text", rule_text(opened, *rule)}};
+Json said_json(const OpenedDocument& opened, SourceSpan span) {
+    const Said said = said_at(opened, span);
+    return {{"file", said.file}, {"line", said.line}, {"text", said.text}};
 }
 
 Json moment_json(const OpenedDocument& opened, const SymbolMoment& moment) {
@@ -175,13 +178,15 @@ Json moment_json(const OpenedDocument& opened, const SymbolMoment& moment) {
     json["system"] = moment.system == 0 ? Json(nullptr) : Json(letter_text(moment.system));
     json["turns"] = moment.turns;
     json["then"] = text_of(moment.fate).name;
-    json["rule"] = rule_json(opened, moment.rule);
+    json["rule"] = nullptr;
+    if (moment.rule != nullptr) json["rule"] = said_json(opened, moment.rule->span);
+    if (moment.rest != nullptr) json["held_by"] = said_json(opened, moment.rest->span);
     return json;
 }
 
 Json trial_json(const OpenedDocument& opened, const RuleTrial& trial, const SymbolMoment& moment) {
     Json json;
-    json["rule"] = rule_json(opened, trial.rule);
+    json["rule"] = said_json(opened, trial.rule->span);
     json["verdict"] = name_of(trial);
     json["reason"] = reason(trial, moment);
     for (const auto& [name, value] : trial.values) json["values"][name] = value;
