@@ -102,8 +102,9 @@ Result<SymbolMoment> moment_of(Derivation& derivation, const Grammar& grammar, c
         if (rest) moment.rest = *rest;
         if (moment.rest != nullptr) moment.fate = Fate::resting;
     }
+    if (match.problem) return std::move(*match.problem);
     const bool may_be_rewritten = moment.fate == Fate::kept;
-    if (has_advanced && (may_be_rewritten || is_last)) {
+    if (may_be_rewritten || is_last) {
         if (const Derivation::Row* row = match.row_of(entry.scope, entry.letter)) moment.row = *row;
         for (const Rule* rule : match.rules_of(entry.scope, entry.letter)) {
             if (moment.rule != nullptr && !is_last) break;
@@ -118,7 +119,7 @@ Result<SymbolMoment> moment_of(Derivation& derivation, const Grammar& grammar, c
         }
     }
     derivation.rows = rows;
-    if (match.problem) return std::move(*match.problem);
+    if (match.problem && may_be_rewritten) return std::move(*match.problem);
     if (moment.rule == nullptr) return moment;
     const RuleTrial& applied = *std::find_if(moment.trials.begin(), moment.trials.end(),
                                              [&](const RuleTrial& trial) { return trial.rule == moment.rule; });

@@ -64,6 +64,7 @@ TEST(Explain, SaysWhyRulesDoNotApply) {
     EXPECT_EQ(verdicts("axiom \"a\"\na -> \"ab\" loop 2\na -> \"ac\" loop 1", 2, 0), (Verdicts{other_row, applies}));
     EXPECT_EQ(verdicts("axiom \"a\"\na -> \"ab\" loop 2\na -> \"ac\" loop 1", 3, 0), (Verdicts{other_row, other_row}));
     EXPECT_EQ(verdicts("axiom \"a=\"\na -> \"b\"", 0, 0), (Verdicts{applies})) << "what would be, were it awake";
+    EXPECT_EQ(verdicts("axiom \"a=\"\na -> \"b\" when 1 / depth > 0", 0, 0), (Verdicts{})) << "as it is not asked";
 }
 
 TEST(Explain, SaysWhatStandsThereAndWhatWasDrawn) {
