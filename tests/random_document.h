@@ -20,12 +20,6 @@
 
 namespace filigree {
 
-// Where the seeds begin: FILIGREE_FIRST_SEED, so that long runs try others.
-inline std::uint64_t first_seed() {
-    const char* wanted = std::getenv("FILIGREE_FIRST_SEED");
-    return wanted == nullptr ? 1 : std::strtoull(wanted, nullptr, 10);
-}
-
 // FILIGREE_SCALE: how much coarser random documents are, so that long runs derive many small ones.
 inline double document_scale() {
     const char* wanted = std::getenv("FILIGREE_SCALE");

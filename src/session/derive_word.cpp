@@ -46,8 +46,8 @@ rewriting::DeriveOptions word_options(const OpenedDocument& opened, const Checke
     const std::vector<rewriting::WordEdit>& edits = checked.words->edits;
     const bool edits_ask = std::any_of(edits.begin(), edits.end(),
                                        [](const rewriting::WordEdit& edit) { return rewriting::asks_for_ages(edit); });
-    derive.with_ages = options.with_ages || edits_ask ||
-                       rewriting::asks_for_ages(*checked.draw_rules, *checked.settings);
+    derive.with_ages =
+        options.with_ages || edits_ask || rewriting::asks_for_ages(*checked.draw_rules, *checked.settings);
     return derive;
 }
 
@@ -95,8 +95,7 @@ Result<DrawnWord> draw_word(const OpenedDocument& opened, const CheckedDocument&
     append(warnings, picture.diagnostics());
     ChoiceRecorder recorder;
     recorder.append(checked.settings->definitions);
-    DrawnWord drawn{
-        {std::move(*derivation), std::move(recorder.choices)}, std::move(picture->drawing), derived};
+    DrawnWord drawn{{std::move(*derivation), std::move(recorder.choices)}, std::move(picture->drawing), derived};
     return {std::move(drawn), std::move(warnings)};
 }
 

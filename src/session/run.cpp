@@ -1,6 +1,7 @@
 #include "session/run.h"
 
 #include "derivation/symmetric_drawing.h"
+#include "engines/rewriting/verify.h"
 #include "engines/tangle/derive.h"
 #include "engines/tangle/verify.h"
 #include "session/embed.h"
@@ -72,6 +73,12 @@ Result<Run> run_word(const OpenedDocument& opened, const CheckedDocument& checke
     run.times.draw = now_seconds() - drawn->derived;
     run.drawing = std::move(drawn->drawing);
     run.word = std::move(drawn->run);
+    if (options.verify) {
+        report(job, "verify", -1);
+        run.broken = rewriting::broken_invariants(run.word->derivation);
+        for (std::string& broken : rewriting::broken_invariants(run.drawing)) run.broken.push_back(std::move(broken));
+        run.verified = true;
+    }
     return run;
 }
 

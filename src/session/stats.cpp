@@ -53,6 +53,8 @@ Json seconds_of(const RunTimes& times) {
             {"total", times.total}};
 }
 
+Json verified(const Run& run) { return run.verified ? Json(run.broken.empty()) : Json(nullptr); }
+
 std::string word_stats_json(const OpenedDocument& opened, const CheckedDocument& checked, const Run& run) {
     const rewriting::Derivation& derivation = run.word->derivation;
     Json json;
@@ -66,6 +68,7 @@ std::string word_stats_json(const OpenedDocument& opened, const CheckedDocument&
                         [](std::size_t sum, const rewriting::System& system) { return sum + system.rules.size(); });
     json["seconds"] = seconds_of(run.times);
     json["peak_memory_bytes"] = peak_memory_bytes();
+    json["verified"] = verified(run);
     std::uint64_t vertices = 0;
     for (const auto& geometry : run.drawing.geometry) vertices += geometry->points.size();
     json["word"] = {{"length", derivation.word.size()}, {"vertices", vertices}};
@@ -107,11 +110,7 @@ std::string stats_json(const OpenedDocument& opened, const CheckedDocument& chec
     json["seconds"] = seconds_of(run.times);
     json["peak_memory_bytes"] = peak_memory_bytes();
     json["area"] = {{"start", areas.start}, {"leaves", areas.leaves}};
-    if (run.verified) {
-        json["verified"] = run.broken.empty();
-    } else {
-        json["verified"] = nullptr;
-    }
+    json["verified"] = verified(run);
     json["unmatched"] = Json::array();
     for (const UnmatchedPreset& preset : run.unmatched) json["unmatched"].push_back(preset.path);
     json["choices"] = choices;

@@ -224,7 +224,7 @@ std::vector<std::uint8_t> random_word(CaseRandom& random, std::uint32_t letters,
 
 TEST(Substitution, PowerIsOneStepAfterAnother) {
     ThreadPool threads(3);
-    for (std::uint64_t c = 0; c < case_count(300); ++c) {
+    for (std::uint64_t c = first_seed(); c < first_seed() + case_count(300); ++c) {
         SCOPED_TRACE(c);
         CaseRandom random(c);
         const std::uint32_t letters = 1 + random.below(6);
@@ -267,7 +267,7 @@ TEST(Substitution, PowerIsOneStepAfterAnother) {
 TEST(Substitution, LongWordsAreTheSameForAnyNumberOfThreads) {
     SerialExecutor serial;
     ThreadPool two(2), many(7);
-    for (std::uint64_t c = 0; c < case_count(60); ++c) {
+    for (std::uint64_t c = first_seed(); c < first_seed() + case_count(60); ++c) {
         SCOPED_TRACE(c);
         CaseRandom random(c);
         const std::uint32_t letters = random.below(5) == 0 ? 30 : 1 + random.below(8);

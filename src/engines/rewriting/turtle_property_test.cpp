@@ -113,7 +113,7 @@ struct SimpleTurtle {
 };
 
 TEST(TurtleProperty, DrawsWhatASimpleTurtleDraws) {
-    for (std::uint64_t i = 0; i < case_count(); ++i) {
+    for (std::uint64_t i = first_seed(); i < first_seed() + case_count(); ++i) {
         SCOPED_TRACE(i);
         CaseRandom random(i);
         TurtleSettings settings = random_turtle_settings(random);
@@ -136,7 +136,7 @@ TEST(TurtleProperty, DrawsWhatASimpleTurtleDraws) {
 }
 
 TEST(TurtleProperty, FramesStayOrthonormal) {
-    for (std::uint64_t i = 0; i < case_count(100); ++i) {
+    for (std::uint64_t i = first_seed(); i < first_seed() + case_count(100); ++i) {
         CaseRandom random(i);
         const TurtleSettings settings = random_turtle_settings(random);
         const Frame frame = drawn(random_letters(random, U"+-<>TPDF", 5000), settings).end_frame;
@@ -150,7 +150,7 @@ TEST(TurtleProperty, FramesStayOrthonormal) {
 }
 
 TEST(TurtleProperty, BracketsRestoreEverything) {
-    for (std::uint64_t i = 0; i < case_count(); ++i) {
+    for (std::uint64_t i = first_seed(); i < first_seed() + case_count(); ++i) {
         SCOPED_TRACE(i);
         CaseRandom random(i);
         TurtleSettings settings = random_turtle_settings(random);
@@ -182,7 +182,7 @@ TEST(TurtleProperty, BracketsRestoreEverything) {
 
 // Of turns about up and heading; those about left are their own mirror images.
 TEST(TurtleProperty, MirroredSignsMirrorTheDrawing) {
-    for (std::uint64_t i = 0; i < case_count(); ++i) {
+    for (std::uint64_t i = first_seed(); i < first_seed() + case_count(); ++i) {
         SCOPED_TRACE(i);
         CaseRandom random(i);
         const TurtleSettings settings = random_turtle_settings(random);
@@ -215,7 +215,7 @@ TEST(TurtleProperty, MirroredSignsMirrorTheDrawing) {
 }
 
 TEST(TurtleProperty, PositionsAreThoseOfTheDrawing) {
-    for (std::uint64_t i = 0; i < case_count(); ++i) {
+    for (std::uint64_t i = first_seed(); i < first_seed() + case_count(); ++i) {
         CaseRandom random(i);
         TurtleSettings settings = random_turtle_settings(random);
         settings.angles = {random_angle(random)};
@@ -234,7 +234,7 @@ TEST(TurtleProperty, PositionsAreThoseOfTheDrawing) {
 // Words of anything with letters that do anything: nothing breaks, and what was counted before is what comes.
 TEST(TurtleProperty, GarbageIsDrawn) {
     constexpr Act last = Act::end_polygon;
-    for (std::uint64_t i = 0; i < case_count(); ++i) {
+    for (std::uint64_t i = first_seed(); i < first_seed() + case_count(); ++i) {
         SCOPED_TRACE(i);
         CaseRandom random(i);
         TurtleSettings settings = random_turtle_settings(random);
@@ -262,7 +262,7 @@ TEST(TurtleProperty, GarbageIsDrawn) {
 }
 
 TEST(TurtleProperty, BracketsAreCountedAsInWords) {
-    for (std::uint64_t i = 0; i < case_count(); ++i) {
+    for (std::uint64_t i = first_seed(); i < first_seed() + case_count(); ++i) {
         CaseRandom random(i);
         std::u32string letters = random_garbage(random, 200);
         const BracketShape shape = bracket_shape(letters);

@@ -17,7 +17,7 @@ std::u32string sorted(std::u32string text) {
 }
 
 TEST(WordEditsProperty, HybridsHoldBothWordsInOrder) {
-    for (std::uint64_t seed = 0; seed < case_count(2000); ++seed) {
+    for (std::uint64_t seed = first_seed(); seed < first_seed() + case_count(2000); ++seed) {
         CaseRandom random(seed);
         const std::u32string a = random_word(random, 25);
         const std::u32string b = random_word(random, 25);
@@ -56,7 +56,7 @@ std::vector<Headed> headed(std::u32string_view word) {
 }
 
 TEST(WordEditsProperty, TokensKeepTheHeadingsOfTheirParents) {
-    for (std::uint64_t seed = 0; seed < case_count(2000); ++seed) {
+    for (std::uint64_t seed = first_seed(); seed < first_seed() + case_count(2000); ++seed) {
         CaseRandom random(seed);
         const std::u32string a = random_word(random, 25);
         const std::u32string b = random_word(random, 25);
@@ -79,7 +79,7 @@ TEST(WordEditsProperty, TokensKeepTheHeadingsOfTheirParents) {
 }
 
 TEST(WordEditsProperty, SubstitutionTakesCompressionBack) {
-    for (std::uint64_t seed = 0; seed < case_count(3000); ++seed) {
+    for (std::uint64_t seed = first_seed(); seed < first_seed() + case_count(3000); ++seed) {
         CaseRandom random(seed);
         const std::u32string word = random_word(random, 40);
         const std::vector<EditToken> tokens = edit_tokens(word);
@@ -122,7 +122,7 @@ std::u32string replaced_by_definition(const std::u32string& word, const std::vec
 
 TEST(WordEditsProperty, ChunksAreFoundAsDefined) {
     std::uint64_t replaced = 0;
-    for (std::uint64_t seed = 0; seed < case_count(5000); ++seed) {
+    for (std::uint64_t seed = first_seed(); seed < first_seed() + case_count(5000); ++seed) {
         CaseRandom random(seed);
         // Few letters, so that chunks overlap, hold and end with one another.
         const auto text = [&](std::uint32_t least, std::uint32_t most) {
@@ -162,7 +162,7 @@ std::u32string neighbour_by_definition(std::u32string_view word, std::uint32_t t
 }
 
 TEST(WordEditsProperty, ReactionsSeeTheirNeighbours) {
-    for (std::uint64_t seed = 0; seed < case_count(3000); ++seed) {
+    for (std::uint64_t seed = first_seed(); seed < first_seed() + case_count(3000); ++seed) {
         CaseRandom random(seed);
         const std::u32string word = random_word(random, 20);
         const std::vector<std::u32string> tokens = texts_of(word);
@@ -200,7 +200,7 @@ TokenBits bits_of(std::uint64_t seed) {
 }
 
 TEST(WordEditsProperty, MutationsHangOnTheirOwnDraws) {
-    for (std::uint64_t seed = 0; seed < case_count(1000); ++seed) {
+    for (std::uint64_t seed = first_seed(); seed < first_seed() + case_count(1000); ++seed) {
         CaseRandom random(seed);
         const std::u32string word = random_word(random, 30);
         const MutationRates rates = {random.unit() / 2, 0, 0, 0};
@@ -223,7 +223,7 @@ TEST(WordEditsProperty, MutationsHangOnTheirOwnDraws) {
 }
 
 TEST(WordEditsProperty, CrossoverComesBack) {
-    for (std::uint64_t seed = 0; seed < case_count(2000); ++seed) {
+    for (std::uint64_t seed = first_seed(); seed < first_seed() + case_count(2000); ++seed) {
         CaseRandom random(seed);
         const std::u32string a = random_word(random, 25);
         const std::u32string b = random_word(random, 25);
@@ -245,7 +245,7 @@ TEST(WordEditsProperty, CrossoverComesBack) {
 }
 
 TEST(WordEditsProperty, InsertionsCanBeCutOut) {
-    for (std::uint64_t seed = 0; seed < case_count(2000); ++seed) {
+    for (std::uint64_t seed = first_seed(); seed < first_seed() + case_count(2000); ++seed) {
         CaseRandom random(seed);
         const std::u32string word = random_word(random, 30);
         const Side side = random.coin() ? Side::before : Side::after;
@@ -326,7 +326,7 @@ void edit_in_all_ways(CaseRandom& random, const std::u32string& a, const std::u3
 }
 
 TEST(WordEditsProperty, BalancedWordsStayBalanced) {
-    for (std::uint64_t seed = 0; seed < case_count(3000); ++seed) {
+    for (std::uint64_t seed = first_seed(); seed < first_seed() + case_count(3000); ++seed) {
         CaseRandom random(seed);
         edit_in_all_ways(random, random_word(random, 25), random_word(random, 25));
         if (HasFatalFailure()) FAIL() << "with seed " << seed;
@@ -334,7 +334,7 @@ TEST(WordEditsProperty, BalancedWordsStayBalanced) {
 }
 
 TEST(WordEditsProperty, AnyTextMayBeEdited) {
-    for (std::uint64_t seed = 0; seed < case_count(5000); ++seed) {
+    for (std::uint64_t seed = first_seed(); seed < first_seed() + case_count(5000); ++seed) {
         CaseRandom random(seed);
         edit_in_all_ways(random, random_garbage(random, 40), random_garbage(random, 40));
         if (HasFatalFailure()) FAIL() << "with seed " << seed;
