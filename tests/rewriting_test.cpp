@@ -108,6 +108,24 @@ TEST(Rewriting, WordsAreDrawnInEveryFormat) {
     EXPECT_EQ(folder.read("b.svg"), svg);
 }
 
+TEST(Rewriting, StylesAskWhatIsKnownOfASymbol) {
+    const TestFolder folder;
+    const auto colours = [&](const std::string& style) {
+        const std::string file =
+            folder.write("a.fil", "grammar rewriting\naxiom \"aa[a]\"\niterations 1\n" + style + "\n");
+        const Ran ran = run_program("render " + file + " -o " + folder / "a.svg");
+        EXPECT_EQ(ran.status, 0) << ran.out;
+        const std::string svg = folder.read("a.svg");
+        return std::pair(svg.find("stroke=\"#ff0000") != std::string::npos,
+                         svg.find("stroke=\"#000000") != std::string::npos);
+    };
+    EXPECT_EQ(colours("style a when depth > 0 { stroke: #ff0000 }"), std::pair(true, true));
+    EXPECT_EQ(colours("style a when age > 1 { stroke: #ff0000 }"), std::pair(true, false));
+    EXPECT_EQ(colours("style a when age > 2 { stroke: #ff0000 }"), std::pair(false, true));
+    EXPECT_EQ(colours("let old = 1\nstyle a { stroke: index > old ? #ff0000 : #000000 }"), std::pair(true, true));
+    EXPECT_EQ(colours("style a when t > 0 && x < 1000 { stroke: #ff0000 }"), std::pair(true, false));
+}
+
 TEST(Rewriting, WordsGrowInsideShapes) {
     const TestFolder folder;
     folder.write("a.fil", koch);
@@ -132,6 +150,7 @@ TEST(Rewriting, SettingsOfDrawingThatAreWrong) {
     };
     EXPECT_EQ(said("letter b box(20, 10, 6)\nletter \"!\" wider\nview 30, -25\ncolours [#000, red]\n")[0], '0');
     expect("letter b widr\n", "did you mean 'wider'");
+    EXPECT_EQ(said("letter b box(0.9, 0.2)\nletter c circle(0.3)\n")[0], '0');
     expect("letter b box(20)\n", "language.missing-argument");
     expect("letter b file(\"none.svg\")\n", "none.svg");
     expect("letter bb line\n", "rewriting.bad-letter");

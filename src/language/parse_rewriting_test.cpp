@@ -85,7 +85,7 @@ TEST(ParseRewriting, WhatIsWrong) {
     EXPECT_EQ(understood("a -> \"b\" { ix + 1 }"), "language.missing-equals@+");
     EXPECT_EQ(understood("a -> \"b\" when 1 when 2"), "language.repeated-clause@when");
     EXPECT_EQ(understood("iterations"), "language.missing-value@");
-    EXPECT_EQ(understood("angle = 30"), "language.unknown-statement@angle");
+    EXPECT_EQ(understood("angel = 30"), "language.unknown-statement@angel");
     EXPECT_EQ(understood("iterations = 30"), "language.lone-equals@=");
     EXPECT_EQ(understood("iteratoins 3"), "language.unknown-statement@iteratoins");
     EXPECT_EQ(understood("R = 1..8 \"ab\""), "language.missing-random@1");

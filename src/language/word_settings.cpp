@@ -28,7 +28,7 @@ constexpr std::array settings = {
     WordSetting{"angle", "angle 30", "degrees by which + and - turn", true},
     WordSetting{"angle2", "angle2 45", "degrees by which < and > turn; as angle unless said", true},
     WordSetting{"plus", "plus counterclockwise", "which way + turns: clockwise or counterclockwise", true},
-    WordSetting{"step", "step 10", "how far a letter goes; unless said, a page scales the drawing", true},
+    WordSetting{"step", "step 10", "how far a letter goes; unless said, it is 1, and the drawing is scaled to the page", true},
     WordSetting{"width", "width 0.5mm", "of the lines", true},
     WordSetting{"widening", "widening 1.25", "how much wider a letter of the use `wider` makes lines", true},
     WordSetting{"letter", "letter b box(20, 10, 6)", "what a letter does when it is drawn, or a shape that it places",

@@ -40,6 +40,20 @@ bool draws(const Grammar& grammar) {
     });
 }
 
+// The columns that the grammar needs and the word has not.
+void begin_columns(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options) {
+    Word& word = derivation.word;
+    const bool with_keys = word.keys.empty() && draws(grammar) && grammar.draws == DrawMode::lineage;
+    const bool with_ages = word.ages.empty() && (options.with_ages || has(derivation.asked, Fact::age));
+    std::uint64_t index = 0;
+    for (const Symbol symbol : word.symbols) {
+        if (symbol == Alphabet::freeze) continue;
+        if (with_keys) word.keys.push_back(fold(options.root.value, index));
+        if (with_ages) word.ages.push_back(1);
+        ++index;
+    }
+}
+
 }  // namespace
 
 std::optional<std::vector<Symbol>> symbols_of(std::u32string_view letters, const Roles& roles, std::uint32_t scope,
@@ -82,17 +96,21 @@ Result<Derivation> begin(const Grammar& grammar, const DeriveOptions& options, s
     drop_leading_freezes(*symbols);
     Word& word = derivation.word;
     word.symbols = std::move(*symbols);
-    const bool with_keys = draws(grammar) && grammar.draws == DrawMode::lineage;
-    const bool with_ages = options.with_ages || has(derivation.asked, Fact::age);
-    std::uint64_t index = 0;
     for (const Symbol symbol : word.symbols) {
-        if (symbol == Alphabet::freeze) continue;
         if (derivation.alphabet[symbol].role == Role::follower) word.origins.push_back(1);
-        if (with_keys) word.keys.push_back(fold(options.root.value, index));
-        if (with_ages) word.ages.push_back(1);
-        ++index;
     }
+    begin_columns(derivation, grammar, options);
     return derivation;
+}
+
+void go_on_with(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options) {
+    derivation.asked = facts_asked(grammar);
+    std::vector<Register> registers = grammar.registers;
+    for (Register& known : registers) {
+        if (const Register* before = find_named(derivation.registers, known.name)) known.value = before->value;
+    }
+    derivation.registers = std::move(registers);
+    begin_columns(derivation, grammar, options);
 }
 
 std::optional<Diagnostic> step(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options,

@@ -66,6 +66,11 @@ Result<Derivation> begin(const Grammar& grammar, const DeriveOptions& options, s
 std::optional<Diagnostic> step(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options,
                                const Job& job, std::vector<std::uint32_t>* parents = nullptr);
 
+// From now on the rules are those of another grammar, whose letters have the same roles: rules of later iterations may
+// change while a derivation is under way. What the word has not counted so far, ages and lineages, begins here;
+// registers keep their values, new ones have those that they begin with.
+void go_on_with(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options);
+
 // The symbols of letters that one system reads: an inverter is known by what stands before it. None where there are
 // too many symbols.
 std::optional<std::vector<Symbol>> symbols_of(std::u32string_view letters, const Roles& roles, std::uint32_t scope,

@@ -283,6 +283,31 @@ TEST(Derive, PlainGrammarsAreSubstitutions) {
     }
 }
 
+TEST(Derive, RulesOfLaterIterationsMayChangeOnTheWay) {
+    const std::string head = "axiom \"ab\"\nregister k 2\na -> \"ab\" { k = k + 1 }\n";
+    const Read before = read(head + "b@3 -> \"c\"");
+    // Of what it did not count before, such as lineages and ages, it knows from here on.
+    const Read after = read(head + "register m 4\nb@3 -> \"{(k + m) d}\"\nd@4 -> \"e\", \"f\" when age < 3");
+    ASSERT_TRUE(before.problems.empty() && after.problems.empty());
+    Result<Derivation> derivation = begin(before.grammar, {});
+    ASSERT_TRUE(derivation);
+    for (int i = 0; i < 2; ++i) ASSERT_FALSE(step(*derivation, before.grammar, {}, {}));
+    EXPECT_EQ(to_text(derivation->word, derivation->alphabet), "abbb");
+    go_on_with(*derivation, after.grammar, {});
+    ASSERT_FALSE(step(*derivation, after.grammar, {}, {}));
+    EXPECT_EQ(to_text(derivation->word, derivation->alphabet), "ab" + std::string(3 * 8, 'd'));
+    ASSERT_FALSE(step(*derivation, after.grammar, {}, {}));
+    const std::string drawn = to_text(derivation->word, derivation->alphabet);
+    EXPECT_EQ(drawn.find('d'), std::string::npos) << drawn;
+    EXPECT_NE(drawn.find('e'), std::string::npos) << drawn;
+    EXPECT_NE(drawn.find('f'), std::string::npos) << drawn;
+    // What changes behind an iteration changes nothing before it.
+    Result<Derivation> anew = begin(after.grammar, {});
+    ASSERT_TRUE(anew);
+    for (int i = 0; i < 3; ++i) ASSERT_FALSE(step(*anew, after.grammar, {}, {}));
+    EXPECT_EQ(to_text(anew->word, anew->alphabet), "ab" + std::string(3 * 8, 'd'));
+}
+
 TEST(Derive, WrongGrammars) {
     EXPECT_EQ(words("a -> \"b\"", 0), "rewriting.missing-axiom");
     EXPECT_EQ(words("axiom \"a\"\naxiom \"b\"", 0), "rewriting.repeated-setting");

@@ -17,6 +17,8 @@
 namespace filigree::rewriting {
 namespace {
 
+constexpr double usual_side = 400;  // px
+
 struct Extent {
     Vec low{1e300, 1e300}, high{-1e300, -1e300};
 
@@ -143,13 +145,14 @@ private:
         }
         return extent;
     }
-    // A page of its own size is filled, unless the document says how long a step is.
+    // A page is filled, unless the document says how long a step is; one that fits is as large as drawings mostly are.
     PagePlace place_of(const Extent& extent) const {
         const Page& page = settings_.page;
-        const bool fills = page.kind == PageStatement::Kind::size || page.kind == PageStatement::Kind::named;
-        if (!fills || rules_.has_own_step || extent.is_empty()) return {};
+        if (page.kind == PageStatement::Kind::tile || rules_.has_own_step || extent.is_empty()) return {};
         const double margin = page.margin.value_or(0);
-        const Vec room{page.width - 2 * margin, page.height - 2 * margin}, size = extent.high - extent.low;
+        const bool fits = page.kind == PageStatement::Kind::fit;
+        const Vec room = fits ? Vec{usual_side, usual_side} : Vec{page.width - 2 * margin, page.height - 2 * margin};
+        const Vec size = extent.high - extent.low;
         if (!(room.x > 0 && room.y > 0) || !(std::max(size.x, size.y) > 0)) return {};
         PagePlace place;
         place.scale = std::min(size.x > 0 ? room.x / size.x : 1e300, size.y > 0 ? room.y / size.y : 1e300);
@@ -198,7 +201,7 @@ private:
     }
 
     Result<Picture> draw_in_space(const TurtleDrawing& turtled) {
-        const Result<WordSolid> solid = word_solid(derivation_, turtled, rules_, forms_, styles_);
+        Result<WordSolid> solid = word_solid(derivation_, turtled, rules_, forms_, styles_);
         if (!solid) return solid.diagnostics();
         View view = rules_.view.value_or(View{});
         view.up = UpAxis::y;
@@ -217,6 +220,7 @@ private:
         };
         if (const double scale = place_of(extent_of_canvas()).scale; scale != 1) {
             view.scale = scale;
+            for (MeshLine& line : solid->mesh.lines) line.width /= scale;  // pens stay as wide on the page
             drawing = solid_view(solid->mesh, solid->materials, view, options);
             if (!drawing) return drawing.diagnostics();
         }

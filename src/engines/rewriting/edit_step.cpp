@@ -66,7 +66,10 @@ public:
     // The word with its columns, in which the new symbols get theirs; none where there are too many symbols.
     std::optional<Word> edited(const EditOutput& output, Alphabet& alphabet) const {
         const Word& from = derivation_.word;
-        const std::vector<std::uint32_t> indexes = indexes_of(from);
+        const std::vector<std::uint32_t> indexes =
+            indexes_of(from, [](Symbol symbol) { return symbol != Alphabet::freeze; });
+        const std::vector<std::uint32_t> followers =
+            indexes_of(from, [&](Symbol symbol) { return alphabet[symbol].role == Role::follower; });
         Word to;
         to.symbols.reserve(output.word.size());
         std::uint64_t ancestor = options_.root.value;
@@ -85,18 +88,18 @@ public:
                 const Symbol symbol = from.symbols[place];
                 const std::uint32_t index = indexes[place];
                 to.symbols.push_back(symbol);
-                if (!from.origins.empty()) to.origins.push_back(from.origins[index]);
                 if (!from.keys.empty()) to.keys.push_back(from.keys[index]);
                 if (!from.ages.empty()) to.ages.push_back(from.ages[index]);
                 ancestor = from.keys.empty() ? 0 : from.keys[index];
                 children = 0;
                 role = alphabet[symbol].role;
+                if (role == Role::follower) to.origins.push_back(from.origins[followers[place]]);
             } else {
                 if (is_behind_run && roles.inverters.find(letter) != std::u32string::npos) role = Role::inverter;
                 const std::optional<Symbol> symbol = alphabet.number_of({letter, role, 0});
                 if (!symbol) return std::nullopt;
                 to.symbols.push_back(*symbol);
-                if (!from.origins.empty()) to.origins.push_back(role == Role::follower ? 1 : 0);
+                if (role == Role::follower) to.origins.push_back(1);
                 if (!from.keys.empty()) to.keys.push_back(fold(fold(ancestor, key_.value), children++));
                 if (!from.ages.empty()) to.ages.push_back(1);
             }
@@ -114,13 +117,14 @@ private:
         return std::min(options_.limits.elements, options_.limits.memory_bytes / each);
     }
 
-    // Of every place, which entry of the columns is its.
-    static std::vector<std::uint32_t> indexes_of(const Word& word) {
+    // Of every place, how many symbols stand before it that a column counts.
+    template <class IsCounted>
+    static std::vector<std::uint32_t> indexes_of(const Word& word, IsCounted is_counted) {
         std::vector<std::uint32_t> indexes(word.size());
         std::uint32_t index = 0;
         for (std::size_t place = 0; place < word.size(); ++place) {
             indexes[place] = index;
-            if (word.symbols[place] != Alphabet::freeze) ++index;
+            if (is_counted(word.symbols[place])) ++index;
         }
         return indexes;
     }

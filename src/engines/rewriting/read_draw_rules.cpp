@@ -217,16 +217,22 @@ private:
 const std::vector<OperatorDescription>& letter_forms() {
     static const std::vector<OperatorDescription> forms = [] {
         std::vector<OperatorDescription> all = shape_forms();
+        for (OperatorDescription& form : all) {  // a page may scale what it places
+            for (ParameterDescription& parameter : form.parameters) {
+                if (parameter.type == ParameterType::length && parameter.low == 1) parameter.low = 1e-3;
+            }
+        }
         const auto size = [](std::string_view name, std::string_view help) {
             return ParameterDescription{
                 .name = name, .type = ParameterType::length, .help = help, .low = 1e-3, .high = largest_length};
         };
-        all.push_back(
-            {.name = "box",
-             .help = "a box that begins where the turtle stands; in the plane a rectangle",
-             .source = "GDesign, figure 9",
-             .parameters = {size("length", "ahead"), size("breadth", "from left to right"), size("height", "upwards")},
-             .example = "letter b box(20, 10, 6)"});
+        ParameterDescription height = size("height", "upwards");
+        height.default_text = "breadth";
+        all.push_back({.name = "box",
+                       .help = "a box that begins where the turtle stands; in the plane a rectangle",
+                       .source = "GDesign, figure 9",
+                       .parameters = {size("length", "ahead"), size("breadth", "from left to right"), height},
+                       .example = "letter b box(20, 10, 6)"});
         return all;
     }();
     return forms;

@@ -76,9 +76,7 @@ Look WordStyles::look_of(Drawn kind, const DrawnSymbol& symbol) {
     Scope scope;
     scope.outer = &settings_.globals;
     for (std::size_t f = 0; f < fact_names.size(); ++f) {
-        const auto fact = static_cast<Fact>(f);
-        const double value = fact == Fact::t ? derivation_.iteration : facts().value(fact, index);
-        scope.names.emplace(fact_names[f], bare(value));
+        scope.names.emplace(fact_names[f], bare(fact_of(static_cast<Fact>(f), index)));
     }
     scope.names.emplace("group", bare(facts().value(Fact::depth, index) + 1));
     scope.names.emplace("colour", bare(static_cast<double>(symbol.colour)));
@@ -90,6 +88,12 @@ Look WordStyles::look_of(Drawn kind, const DrawnSymbol& symbol) {
     if (over) return look_of(kind, symbol.width, symbol.colour, *over);
     if (errors.empty()) errors = over.diagnostics();
     return {};
+}
+
+double WordStyles::fact_of(Fact fact, std::uint64_t index) {
+    if (fact == Fact::t) return derivation_.iteration;
+    if (fact == Fact::age && derivation_.word.ages.empty()) return 1;  // nothing asks for it
+    return facts().value(fact, index);
 }
 
 const SymbolFacts& WordStyles::facts() {

@@ -55,6 +55,7 @@ public:
 private:
     std::uint64_t index_of(std::uint64_t place);
     Colour colour_of(std::int64_t level) const;
+    double fact_of(Fact fact, std::uint64_t index);
     const SymbolFacts& facts();
 
     const Derivation& derivation_;
