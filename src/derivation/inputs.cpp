@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "language/walk.h"
+#include "language/word_settings.h"
 
 namespace filigree {
 
@@ -28,12 +29,16 @@ public:
     void operator()(const PresetStatement& preset) { look_into(preset.value); }
     void operator()(const ApplyStatement& apply) { look_into(apply.arguments); }
     void operator()(const OperatorStatement& macro) { look_into(macro.statements); }
-    // array M from "rules.csv"
+    // array M from "rules.csv", image wall "photo.png" over ...
     void operator()(const SettingStatement& setting) {
-        if (setting.name.text != "array" || setting.values.size() < 3) return;
-        const auto* from = std::get_if<NameReference>(&setting.values[1]->node);
-        const auto* file = std::get_if<TextLiteral>(&setting.values[2]->node);
-        if (from != nullptr && from->name == "from" && file != nullptr) add(file->text, setting.values[2]->span);
+        const bool is_map = find_word_setting(setting.name.text)->is_map;
+        const std::size_t place = is_map ? 1 : 2;
+        if ((!is_map && setting.name.text != "array") || setting.values.size() <= place) return;
+        const auto* word = std::get_if<NameReference>(&setting.values[place - 1]->node);
+        const auto* file = std::get_if<TextLiteral>(&setting.values[place]->node);
+        if (word != nullptr && (is_map || word->name == "from") && file != nullptr) {
+            add(file->text, setting.values[place]->span);
+        }
     }
     template <class Other>
     void operator()(const Other&) {}  // a system is a document of its own

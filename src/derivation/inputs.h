@@ -18,7 +18,8 @@ struct Input {
 using Inputs = std::vector<Input>;
 
 // The files that a document's starts, rules, definitions and presets name, by file("leaf.svg"), image("photo.png"),
-// text("A", font: "bold.ttf"), `start from` and `array M from`: each once, in order, with where they are named.
+// text("A", font: "bold.ttf"), `start from`, `array M from` and the settings `image` and `data`: each once, in order,
+// with where they are named.
 std::vector<Name> named_files(const Document& document);
 
 inline const Input* find_input(const Inputs& inputs, std::string_view name) {

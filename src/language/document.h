@@ -100,13 +100,25 @@ struct GroupRule {
     std::vector<OutputTag> outputs;
 };
 
-// A successor of a rewriting rule: "a[P<n]", goto a@3, or M[ix][iy]; one is drawn where there are several.
+// image wall L { 0..85 "T+b"; 86..170 "b" }, or data heights { ... }: by what stands there where the symbol does
+struct WordLookupRow {
+    ExpressionPtr range;  // or one number
+    Name text;            // as written between its quotes
+};
+struct WordLookup {
+    bool is_image = false;  // else data
+    Name map;
+    Name channel;  // of images
+    std::vector<WordLookupRow> rows;
+};
+// A successor of a rewriting rule: "a[P<n]", goto a@3, M[ix][iy], or a lookup; one is drawn where there are several.
 struct WordSuccessor {
     std::optional<Name> text;     // as written between its quotes
     std::optional<Name> target;   // goto: one symbol,
     std::uint32_t iteration = 0;  // and in which iteration
     std::optional<Name> array;
     std::vector<ExpressionPtr> indexes;
+    std::optional<WordLookup> lookup;
     ExpressionPtr weight;  // behind '*'; null if absent
     SourceSpan span;
 };

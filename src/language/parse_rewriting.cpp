@@ -121,7 +121,8 @@ std::optional<SettingStatement> Parser::read_setting() {
             fail_expected("language.missing-value", "a value", {example});
             return std::nullopt;
         }
-        ExpressionPtr value = read_expression();
+        const bool is_lone = find_word_setting(setting.name.text)->is_map && at_word("over");
+        ExpressionPtr value = is_lone ? read_lone_word() : read_expression();
         if (!value) return std::nullopt;
         setting.values.push_back(std::move(value));
         accept(TokenKind::comma);
@@ -379,6 +380,9 @@ std::optional<WordSuccessor> Parser::read_word_successor() {
     } else if (at(TokenKind::name) && token_behind(peek()).kind == TokenKind::open_square) {
         successor.array = read_name("an array");
         if (!successor.array || !read_indexes(successor.indexes)) return std::nullopt;
+    } else if (at_word("image") || at_word("data")) {
+        successor.lookup = read_lookup();
+        if (!successor.lookup) return std::nullopt;
     } else {
         fail_expected("language.missing-word", "a word in quotes", {"successors are written in quotes, as in \"ab\""});
         return std::nullopt;

@@ -72,6 +72,32 @@ TEST(ParseRewriting, MasksAndSleep) {
     EXPECT_EQ(understood("mask a,"), "language.missing-symbol@");
 }
 
+TEST(ParseRewriting, Lookups) {
+    EXPECT_EQ(understood("image wall \"a.png\" over 0, 0, 400, 300"), "image wall, \"a.png\", over, 0, 0, 400, 300");
+    EXPECT_EQ(understood("data d \"a.csv\" over -5, -k, 9, 9 outside wrap"),
+              "data d, \"a.csv\", over, (-5), (-k), 9, 9, outside, wrap")
+        << "no difference of `over` and 5";
+    EXPECT_EQ(understood("i -> image wall L { 0..85 \"T+b\"; 86..170 \"b\", 255 \"{$L p}\" }"),
+              "\"i\" -> image wall L { (0 .. 85) \"T+b\"; (86 .. 170) \"b\"; 255 \"{$L p}\"; }");
+    EXPECT_EQ(understood("b@2 -> data heights {\n  -1..1.5 \"b\"   # low\n\n  1.5..2 * k \"bb\"\n} * 2, image[3] "
+                         "loop 2 when value > 1 { ix = L }"),
+              "\"b\"@2..2 -> data heights { ((-1) .. 1.5) \"b\"; (1.5 .. (2 * k)) \"bb\"; } * (2), image[3] "
+              "loop 2 when (value > 1) { ix = L; }");
+
+    EXPECT_EQ(understood("i -> image"), "language.missing-name@");
+    EXPECT_EQ(understood("i -> image wall { 0 \"a\" }"), "language.missing-channel@{");
+    EXPECT_EQ(understood("i -> image wall L"), "language.missing-rows@");
+    EXPECT_EQ(understood("i -> data heights L { 0 \"a\" }"), "language.missing-rows@L");
+    EXPECT_EQ(understood("i -> data heights { }"), "language.missing-rows@}");
+    EXPECT_EQ(understood("i -> data heights { 0..1 }"), "language.missing-text@}");
+    EXPECT_EQ(understood("i -> data heights { \"a\" }"), "language.missing-text@}");
+    EXPECT_EQ(understood("i -> data heights { 0..1 \"a\" 1..2 \"b\" }"), "language.unexpected-token@1");
+    EXPECT_EQ(understood("i -> data heights { 0..1 \"a\""), "language.unclosed-bracket@{");
+    const Parsed next = parsed("i -> data heights {\n  0..1 a\n  1..2 \"b\"\n}\na -> \"b\"");
+    EXPECT_EQ(next.diagnostics.size(), 1U) << to_text(next.diagnostics, next.document.sources);
+    EXPECT_EQ(next.document.statements.size(), 2U) << "the next rule is read again";
+}
+
 TEST(ParseRewriting, WhatIsWrong) {
     EXPECT_EQ(understood("a -> ab"), "language.missing-word@ab");
     EXPECT_EQ(understood("a -> \"ab\","), "language.missing-word@");
@@ -96,7 +122,12 @@ TEST(ParseRewriting, WhatIsWrong) {
 TEST(ParseRewriting, DamagedRulesAreSurvived) {
     const std::vector<std::string> rules = {
         "a b < c > d[e]@2..5 -> \"x{3 y+}\" * 2, goto a@3, M[ix][iy] loop k when t > 2 { ix = ix + 1; iy = 0 }",
-        "R = random 1..8 \"abbccc\" unique", "gain q 1 g 2", "M[3][9] -> \"ab\"", "\u00F1 -> \"a\""};
+        "i -> image wall L { 0..85 \"T+b\"; 86 \"b\" } * 2, data d { 0..1 \"{$value b}\" } loop 2 { ix = L }",
+        "image wall \"a.png\" over -1, 0, 3, 3 outside none",
+        "R = random 1..8 \"abbccc\" unique",
+        "gain q 1 g 2",
+        "M[3][9] -> \"ab\"",
+        "\u00F1 -> \"a\""};
     for (std::uint64_t seed = 0; seed < 3 * case_count(); ++seed) {
         CaseRandom random(seed);
         std::string text = rules[random.index(rules.size())];

@@ -181,6 +181,9 @@ private:
     bool read_word_successors(WordRule& rule);
     std::optional<WordSuccessor> read_word_successor();
     bool read_assignments(WordRule& rule);
+    std::optional<WordLookup> read_lookup();  // parse_lookup.cpp
+    bool read_lookup_row(WordLookup& lookup);
+    ExpressionPtr read_lone_word();
     // Symbols up to one that stands for itself only in quotes: < > @ = and an arrow.
     std::optional<Name> read_symbols(std::string_view wanted);
     std::optional<Name> read_symbol(std::string_view wanted);

@@ -187,6 +187,7 @@ struct StatementUnparser {
                     "goto " + unparse_text(successor.target->text) + "@" + to_text(std::uint64_t{successor.iteration});
             }
             if (successor.array) result += successor.array->text + indexes(successor.indexes);
+            if (successor.lookup) result += lookup(*successor.lookup);
             if (successor.weight) result += " * (" + unparse(successor.weight) + ")";
         }
         result += with("loop", node.loop) + with("when", node.condition);
@@ -236,6 +237,15 @@ private:
     static std::string iterations(std::uint32_t first, std::uint32_t last) {
         if (last == UINT32_MAX) return "";
         return "@" + to_text(std::uint64_t{first}) + ".." + to_text(std::uint64_t{last});
+    }
+    static std::string lookup(const WordLookup& node) {
+        std::string result = (node.is_image ? "image " : "data ") + node.map.text;
+        if (node.is_image) result += " " + node.channel.text;
+        result += " {";
+        for (const WordLookupRow& row : node.rows) {
+            result += " " + unparse(row.range) + " " + unparse_text(row.text.text) + ";";
+        }
+        return result + " }";
     }
     static std::string indexes(const std::vector<ExpressionPtr>& list) {
         std::string result;

@@ -25,6 +25,13 @@ constexpr std::array settings = {
                 "words by their place; a cell is written M[3][9] -> \"ab\". 'array M from \"rules.csv\"' reads them; "
                 "'wrap' or 'clamp' behind it leads indexes outside back inside"},
     WordSetting{"register", "register ix 3", "a number that rules may change"},
+    WordSetting{
+        "image", "image wall \"photo.png\" over 0, 0, 400, 300",
+        "a picture over a rectangle of the wall (x, y upwards, width, height), for rules to look at; 'outside wrap' "
+        "or 'none': what it has beside it, instead of its border",
+        false, true},
+    WordSetting{"data", "data heights \"heights.csv\" over 0, 0, 400, 300",
+                "likewise a table of numbers, its first row on top", false, true},
     WordSetting{"angle", "angle 30", "degrees by which + and - turn", true},
     WordSetting{"angle2", "angle2 45", "degrees by which < and > turn; as angle unless said", true},
     WordSetting{"plus", "plus counterclockwise", "which way + turns: clockwise or counterclockwise", true},

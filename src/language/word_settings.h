@@ -12,6 +12,7 @@ struct WordSetting {
     std::string_view example;  // as a document writes it
     std::string_view help;     // one line, lower case, no full stop
     bool is_of_drawing = false;
+    bool is_map = false;  // of what pictures and tables say where a symbol stands
 };
 
 std::span<const WordSetting> word_settings();

@@ -48,6 +48,15 @@ rewriting::DeriveOptions word_options(const OpenedDocument& opened, const Checke
                                        [](const rewriting::WordEdit& edit) { return rewriting::asks_for_ages(edit); });
     derive.with_ages =
         options.with_ages || edits_ask || rewriting::asks_for_ages(*checked.draw_rules, *checked.settings);
+    derive.positions = [&opened, &checked](const rewriting::Derivation& at) -> Result<std::vector<Vec>> {
+        Diagnostics problems;
+        const rewriting::TurtleSettings turtle =
+            rewriting::turtle_settings(*checked.draw_rules, at.iteration, *checked.settings, opened.document, problems);
+        Result<std::vector<Vec>> positions =
+            rewriting::symbol_positions(at.word, at.alphabet, turtle, checked.settings->limits.elements);
+        if (!problems.empty()) return problems;
+        return positions;
+    };
     return derive;
 }
 

@@ -26,7 +26,7 @@ struct WordOptions {
     bool with_ages = false;  // even where nothing in the document asks for them
 };
 
-// What rewriting is told of the document.
+// What rewriting is told of the document; points to it and to `checked`.
 rewriting::DeriveOptions word_options(const OpenedDocument& opened, const CheckedDocument& checked,
                                       const WordOptions& options = {});
 

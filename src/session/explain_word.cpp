@@ -64,6 +64,8 @@ std::string_view name_of(const RuleTrial& trial) {
             return "no-left-context";
         case Verdict::no_right:
             return "no-right-context";
+        case Verdict::off_map:
+            return "off-map";
         case Verdict::does_not_hold:
             return "condition-is-false";
     }
@@ -125,6 +127,8 @@ std::string reason(const RuleTrial& trial, const SymbolMoment& moment) {
             return instead(trial, trial.rule->left, "before");
         case Verdict::no_right:
             return instead(trial, trial.rule->right, "behind");
+        case Verdict::off_map:
+            return "a map that it looks at has nothing where the symbol stands";
         case Verdict::does_not_hold:
             return "its condition does not hold" + (trial.values.empty() ? "" : ": " + values_text(trial));
     }

@@ -119,21 +119,14 @@ private:
         return add_image({std::move(*symbols), false});
     }
 
-    // What a successor puts; fixed ones once an iteration.
     std::optional<std::uint32_t> image_of(const Successor& successor, std::uint32_t scope, std::size_t index,
                                           const Scope& names) {
-        const bool is_fixed_one = is_fixed(successor);
-        if (is_fixed_one) {
-            const auto known = images_of_.find({scope, &successor});
-            if (known != images_of_.end()) return known->second;
-        }
         if (successor.kind == Successor::Kind::jump) return image_of_jump(successor, scope, index, names);
+        if (successor.kind == Successor::Kind::lookup) return image_of_lookup(successor.lookup, scope, index, names);
         const Pattern* pattern = &successor.pattern;
         if (successor.kind == Successor::Kind::cell) pattern = cell_of(successor, names);
         if (pattern == nullptr) return std::nullopt;
-        const std::optional<std::uint32_t> image = image_of_pattern(*pattern, scope, names);
-        if (image && is_fixed_one) images_of_[{scope, &successor}] = *image;
-        return image;
+        return image_of_pattern(*pattern, scope, names);
     }
     // What the target's first rule puts in that iteration; drawn among its successors by the symbol that jumps.
     std::optional<std::uint32_t> image_of_jump(const Successor& jump, std::uint32_t scope, std::size_t index,
@@ -150,13 +143,40 @@ private:
         return image_of(successor, scope, index, names);
     }
 
+    std::optional<std::uint32_t> image_of_lookup(const Lookup& lookup, std::uint32_t scope, std::size_t index,
+                                                 const Scope& names) {
+        if (!match_.find_positions()) return std::nullopt;
+        const std::optional<MapValue> value = match_.value_looked_up(lookup, index);
+        if (!value) return kept_image();
+        const double number = channel_of(*value, lookup.channel);
+        const auto row = std::find_if(lookup.rows.begin(), lookup.rows.end(), [&](const Lookup::Row& some) {
+            return some.low <= number && number <= some.high;
+        });
+        if (row == lookup.rows.end()) return kept_image();
+        if (is_constant(row->pattern)) return image_of_pattern(row->pattern, scope, names);
+        Scope inner;
+        inner.outer = &names;
+        set_names(*value, inner);
+        return image_of_pattern(row->pattern, scope, inner);
+    }
+
+    // Fixed ones are made once an iteration.
     std::optional<std::uint32_t> image_of_pattern(const Pattern& pattern, std::uint32_t scope, const Scope& names) {
+        const bool is_fixed_one = is_constant(pattern);
+        if (is_fixed_one) {
+            const auto known = images_of_.find({scope, &pattern});
+            if (known != images_of_.end()) return known->second;
+        }
         const Result<std::u32string> letters =
             expanded(pattern, options_.limits.elements,
                      [&](const ExpressionPtr& count) { return match_.value_of(count, names); });
-        if (letters) return image_of_letters(*letters, match_.system_of(scope).roles, scope);
-        fail(letters.diagnostics().front());
-        return std::nullopt;
+        if (!letters) {
+            fail(letters.diagnostics().front());
+            return std::nullopt;
+        }
+        const std::optional<std::uint32_t> image = image_of_letters(*letters, match_.system_of(scope).roles, scope);
+        if (image && is_fixed_one) images_of_[{scope, &pattern}] = *image;
+        return image;
     }
 
     static double back_inside(double index, double size, OutOfRange way) {
@@ -292,7 +312,7 @@ private:
             const std::optional<Verdict> verdict = match_.verdict_of(*rule, {place, index});
             if (!verdict) return std::nullopt;
             if (*verdict != Verdict::applies) continue;
-            const Scope& names = match_.names_at({place, index});
+            const Scope& names = match_.names_for(*rule, {place, index});
             const std::optional<std::size_t> which = match_.draw_successor(*rule, index, names);
             if (!which) return std::nullopt;
             if (*which == rule->successors.size()) return kept_image();
@@ -351,10 +371,10 @@ private:
     const Job& job_;
     RuleMatcher match_;
     StepPlan plan_;
-    std::vector<Register> registers_;                   // behind the iteration
-    std::vector<std::vector<const Rule*>> candidates_;  // by symbol
-    std::vector<std::vector<const Rest*>> rests_;       // likewise
-    std::map<std::pair<std::uint32_t, const Successor*>, std::uint32_t> images_of_;
+    std::vector<Register> registers_;                                              // behind the iteration
+    std::vector<std::vector<const Rule*>> candidates_;                             // by symbol
+    std::vector<std::vector<const Rest*>> rests_;                                  // likewise
+    std::map<std::pair<std::uint32_t, const Pattern*>, std::uint32_t> images_of_;  // of fixed patterns
     std::map<Symbol, std::uint32_t> begun_;  // images of axioms, by the symbol that they are put for
     std::optional<std::uint32_t> kept_;
     std::map<std::pair<std::uint32_t, char32_t>, std::uint64_t> drawn_;  // so far in this iteration

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -23,8 +24,11 @@
 #include "engines/rewriting/symbol_facts.h"
 #include "engines/rewriting/word.h"
 #include "language/evaluate.h"
+#include "plane/point.h"
 
 namespace filigree::rewriting {
+
+struct Derivation;
 
 struct DeriveOptions {
     std::uint64_t seed = 0;
@@ -33,6 +37,9 @@ struct DeriveOptions {
     const Document* document = nullptr;  // of the expressions
     const Scope* globals = nullptr;      // likewise
     bool with_ages = false;
+    // Where the symbols of a word stand, which lookups ask: symbol_positions (turtle.h) under the document's settings;
+    // empty: under none.
+    std::function<Result<std::vector<Vec>>(const Derivation&)> positions = {};
     std::uint32_t nested = 0;  // subsystems around this derivation
 };
 

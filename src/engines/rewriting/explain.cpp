@@ -46,10 +46,10 @@ std::optional<RuleTrial> trial_of(const Rule& rule, Standing symbol, std::uint32
         trial.found = asks_for_branches ? match.contexts().letters_behind(symbol.place, wanted)
                                         : match.contexts().letters_right(symbol.place, wanted, ignored);
     } else if (trial.verdict == Verdict::applies || trial.verdict == Verdict::does_not_hold) {
-        if (rule.condition) trial.values = values_in(*rule.condition, match.names_at(symbol));
+        if (rule.condition) trial.values = values_in(*rule.condition, match.names_for(rule, symbol));
     }
     if (trial.verdict != Verdict::applies || rule.successors.size() == 1) return trial;
-    const Scope& names = match.names_at(symbol);
+    const Scope& names = match.names_for(rule, symbol);
     for (const Successor& successor : rule.successors) {
         const std::optional<double> weight = match.weight_of(successor, names);
         if (!weight) return std::nullopt;

@@ -12,21 +12,36 @@
 
 #include "base/diagnostic.h"
 #include "base/random.h"
+#include "engines/rewriting/lookup.h"
 #include "engines/rewriting/symbols.h"
 #include "engines/rewriting/word_edit.h"
 #include "language/expression.h"
 
 namespace filigree::rewriting {
 
+// By what a map has where the symbol stands: the first row that holds it, both ends included. Where none does, the
+// symbol stays.
+struct Lookup {
+    struct Row {
+        double low = 0, high = 0;
+        Pattern pattern;
+        SourceSpan span;  // of the pattern
+    };
+    std::string map;
+    Channel channel = Channel::luma;  // of pictures
+    std::vector<Row> rows;
+};
+
 struct Successor {
-    enum class Kind : std::uint8_t { pattern, jump, cell };
+    enum class Kind : std::uint8_t { pattern, jump, cell, lookup };
     Kind kind = Kind::pattern;
     Pattern pattern;
     char32_t target = 0;                 // jump: whose successor is taken,
     std::uint32_t target_iteration = 0;  // and that of which iteration
     std::string array;                   // cell: of which array,
     std::vector<ExpressionPtr> indexes;  // and where in it, from 0
-    ExpressionPtr weight;                // null: 1
+    Lookup lookup;
+    ExpressionPtr weight;  // null: 1
     SourceSpan span;
 };
 
@@ -108,13 +123,14 @@ struct Register {
 struct Grammar {
     std::vector<System> systems = std::vector<System>(1);
     std::vector<Array> arrays;
+    std::vector<Map> maps;
     std::vector<Register> registers;  // with what they begin with
     std::vector<WordEdit> edits;      // in the order of the document
     AgeMode ages = AgeMode::position;
     DrawMode draws = DrawMode::lineage;
 };
 
-// The array or register of a name; null where there is none.
+// The array, map or register of a name; null where there is none.
 template <class Items>
 auto find_named(Items& items, std::string_view name) -> decltype(items.data()) {
     for (auto& item : items) {

@@ -318,6 +318,8 @@ inline std::string described(const Rule& rule) {
                 text += successor.array;
                 for (const ExpressionPtr& index : successor.indexes) text += "[" + unparse(index) + "]";
                 break;
+            case Successor::Kind::lookup:  // none at random
+                break;
         }
         if (successor.weight) text += " * " + unparse(successor.weight);
     }

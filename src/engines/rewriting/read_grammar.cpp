@@ -6,6 +6,7 @@
 
 #include "engines/rewriting/pattern.h"
 #include "engines/rewriting/read_edit.h"
+#include "engines/rewriting/read_lookup.h"
 #include "engines/rewriting/symbol_facts.h"
 #include "formats/csv_read.h"
 #include "language/check.h"
@@ -27,6 +28,7 @@ public:
         : settings_(settings), document_(document), inputs_(inputs) {}
 
     Result<Grammar> run() {
+        grammar_.maps = read_maps(settings_, document_, inputs_, diagnostics_);
         find_registers_and_arrays(document_.statements);
         add_examples();
         read_system(document_.statements, 0, {});
@@ -135,19 +137,23 @@ private:
             check_counts(part.repeated, scope, text);
         }
     }
-    void check_condition_of(const ExpressionPtr& condition) {
-        const std::vector<std::string_view> varying(fact_names.begin(), fact_names.end());
-        Diagnostics problems = check_condition(*condition, with(facts_of_symbol_), settings_.globals, varying);
-        append(diagnostics_, std::move(problems));
+    void check_condition_of(const ExpressionPtr& condition, std::vector<std::string_view> looked_up = {}) {
+        const Scope known = example_scope(looked_up, &facts_of_symbol_);
+        std::vector<std::string_view> varying = std::move(looked_up);
+        varying.insert(varying.end(), fact_names.begin(), fact_names.end());
+        append(diagnostics_, check_condition(*condition, with(known), settings_.globals, varying));
     }
     void check_expressions(const Rule& rule) {
+        const std::vector<std::string_view> looked_up = names_looked_up(rule, grammar_.maps);
+        const Scope known = example_scope(looked_up, &facts_of_symbol_);
         check_number(rule.loop, facts_of_row_);
-        if (rule.condition) check_condition_of(rule.condition);
-        for (const Assignment& assignment : rule.assignments) check_number(assignment.value, facts_of_symbol_);
+        if (rule.condition) check_condition_of(rule.condition, looked_up);
+        for (const Assignment& assignment : rule.assignments) check_number(assignment.value, known);
         for (const Successor& successor : rule.successors) {
-            check_number(successor.weight, facts_of_symbol_);
-            for (const ExpressionPtr& index : successor.indexes) check_number(index, facts_of_symbol_);
-            check_counts(successor.pattern.parts, facts_of_symbol_, successor.span);
+            check_number(successor.weight, known);
+            for (const ExpressionPtr& index : successor.indexes) check_number(index, known);
+            check_counts(successor.pattern.parts, known, successor.span);
+            for (const Lookup::Row& row : successor.lookup.rows) check_counts(row.pattern.parts, known, row.span);
         }
     }
 
@@ -337,6 +343,7 @@ private:
         for (const Statement& statement : statements) {
             if (const auto* setting = std::get_if<SettingStatement>(&statement.node)) {
                 if (find_word_setting(setting->name.text)->is_of_drawing) continue;  // read_draw_rules
+                if (find_word_setting(setting->name.text)->is_map) continue;         // read_maps
                 const bool may_repeat = setting->name.text == "free" || setting->name.text == "array" ||
                                         setting->name.text == "register" || setting->name.text == "gain";
                 if (!may_repeat && !said.insert(setting->name.text).second) {
@@ -567,6 +574,11 @@ private:
             successor.array = said.array->text;
             successor.indexes = said.indexes;
             array_of(*said.array, said.indexes.size());
+        } else if (said.lookup) {
+            successor.kind = Successor::Kind::lookup;
+            Result<Lookup> lookup = read_lookup(*said.lookup, grammar_.maps, settings_, document_, frees_braces);
+            append(diagnostics_, lookup.diagnostics());
+            if (lookup) successor.lookup = std::move(*lookup);
         } else {
             successor.pattern = pattern_of(*said.text, frees_braces);
         }

@@ -10,7 +10,7 @@
 namespace filigree::rewriting {
 
 // What is `system X { ... }` with one letter is a subsystem. Lengths and numbers may use the names of the document.
-// `inputs` holds the files of its arrays.
+// `inputs` holds the files of its arrays and maps.
 Result<Grammar> read_grammar(const Settings& settings, const Document& document, const Inputs& inputs = {});
 
 }  // namespace filigree::rewriting

@@ -444,6 +444,7 @@ private:
                 return written(successor.pattern, p);
             case Successor::Kind::cell:
                 return cell(successor, p);
+            case Successor::Kind::lookup:  // not known here
             case Successor::Kind::jump:
                 break;
         }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engines/rewriting/turtle.h"
+
 namespace filigree::rewriting {
 namespace {
 
@@ -10,6 +12,10 @@ Value number(double value) { return Value{Quantity{value}, {}}; }
 
 bool are_rows(const std::vector<const Rule*>& rules) {
     return std::any_of(rules.begin(), rules.end(), [](const Rule* rule) { return rule->loop != nullptr; });
+}
+bool looks_up(const Rule& rule) {
+    return std::any_of(rule.successors.begin(), rule.successors.end(),
+                       [](const Successor& successor) { return successor.kind == Successor::Kind::lookup; });
 }
 bool serves(const Rule& rule, std::uint32_t iteration) { return rule.first <= iteration && iteration <= rule.last; }
 
@@ -20,6 +26,7 @@ RuleMatcher::RuleMatcher(Derivation& derivation, const Grammar& grammar, const D
     names_.outer = options.globals;
     for (const Register& known : derivation.registers) names_.names[known.name] = number(known.value);
     names_of_row_.outer = names_of_symbol_.outer = &names_;
+    names_of_maps_.outer = &names_of_symbol_;
 }
 
 // --- rows ---
@@ -148,8 +155,13 @@ std::optional<Verdict> RuleMatcher::verdict_of(const Rule& rule, Standing symbol
     const std::u32string& ignored = system_of(entry.scope).ignored;
     if (!rule.left.empty() && !contexts().has_left(symbol.place, rule.left, ignored)) return Verdict::no_left;
     if (!rule.right.empty() && !contexts().has_right(symbol.place, rule.right, ignored)) return Verdict::no_right;
+    if (looks_up(rule)) {
+        const std::optional<bool> is_on_maps = look_up(rule, symbol);
+        if (!is_on_maps) return std::nullopt;
+        if (!*is_on_maps) return Verdict::off_map;
+    }
     if (!rule.condition) return Verdict::applies;
-    const std::optional<bool> holds = does_hold(rule.condition, names_at(symbol));
+    const std::optional<bool> holds = does_hold(rule.condition, names_for(rule, symbol));
     if (!holds) return std::nullopt;
     return *holds ? Verdict::applies : Verdict::does_not_hold;
 }
@@ -157,6 +169,37 @@ std::optional<Verdict> RuleMatcher::verdict_of(const Rule& rule, Standing symbol
 const Contexts& RuleMatcher::contexts() {
     if (!contexts_) contexts_ = std::make_unique<Contexts>(derivation_.word, derivation_.alphabet);
     return *contexts_;
+}
+
+// --- maps ---
+
+bool RuleMatcher::find_positions() {
+    if (positions_) return true;
+    Result<std::vector<Vec>> found =
+        options_.positions ? options_.positions(derivation_)
+                           : symbol_positions(derivation_.word, derivation_.alphabet, {}, options_.limits.elements);
+    if (!found) return fail(found.diagnostics().front());
+    positions_ = std::move(*found);
+    return true;
+}
+
+std::optional<MapValue> RuleMatcher::value_looked_up(const Lookup& lookup, std::size_t index) const {
+    const Map* map = find_named(grammar_.maps, lookup.map);
+    return map == nullptr ? std::nullopt : value_at(*map, (*positions_)[index]);
+}
+
+// Names what all maps of a rule have there, the first last, so that it counts; false where one has nothing.
+std::optional<bool> RuleMatcher::look_up(const Rule& rule, Standing symbol) {
+    if (!find_positions()) return std::nullopt;
+    if (named_maps_ != &rule) names_of_maps_.names.clear();
+    named_maps_ = &rule;
+    for (auto successor = rule.successors.rbegin(); successor != rule.successors.rend(); ++successor) {
+        if (successor->kind != Successor::Kind::lookup) continue;
+        const std::optional<MapValue> value = value_looked_up(successor->lookup, symbol.index);
+        if (!value) return false;
+        set_names(*value, names_of_maps_);
+    }
+    return true;
 }
 
 // --- values ---
@@ -180,6 +223,10 @@ std::optional<bool> RuleMatcher::does_hold(const ExpressionPtr& condition, const
     return std::nullopt;
 }
 
+const Scope& RuleMatcher::names_for(const Rule& rule, Standing symbol) {
+    const Scope& names = names_at(symbol);
+    return looks_up(rule) ? names_of_maps_ : names;
+}
 const Scope& RuleMatcher::names_at(Standing symbol) {
     if (symbol.index == named_) return names_of_symbol_;
     named_ = symbol.index;

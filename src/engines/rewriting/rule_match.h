@@ -19,6 +19,7 @@ enum class Verdict : std::uint8_t {
     other_row,        // another rule of the letter does, or none any more
     no_left,          // what it must stand between is not there
     no_right,
+    off_map,        // a map that it looks at has nothing there
     does_not_hold,  // its condition
 };
 
@@ -66,10 +67,15 @@ public:
     const Derivation::Row* row_of(std::uint32_t scope, char32_t letter) const;
     const Contexts& contexts();
 
-    // What is known where a symbol stands: until the next is asked for.
-    const Scope& names_at(Standing symbol);
+    // What the expressions of a rule may name where a symbol stands, of those that the last verdict was of. Of two maps
+    // with the same names the first is meant.
+    const Scope& names_for(const Rule& rule, Standing symbol);
     const Scope& names() const { return names_; }  // registers and the document's
     Result<double> value_of(const ExpressionPtr& expression, const Scope& names) const;
+
+    // What a map has where a symbol stands, if anything. Positions are found once, and only here.
+    bool find_positions();
+    std::optional<MapValue> value_looked_up(const Lookup& lookup, std::size_t index) const;
 
     // A symbol's random bits. By lineage: who it is and what for. By position: where it stands and when.
     std::uint64_t bits_at(std::size_t index, std::uint64_t stream, std::uint64_t ordinal, std::uint64_t draw) const;
@@ -81,6 +87,8 @@ private:
     bool advance(Derivation::Row& row, bool is_new, std::uint32_t scope, std::uint32_t iteration,
                  const std::vector<const Rule*>& rules);
     const Scope& names_of_row(std::uint32_t iteration, char32_t letter);
+    const Scope& names_at(Standing symbol);
+    std::optional<bool> look_up(const Rule& rule, Standing symbol);
     std::optional<bool> does_hold(const ExpressionPtr& condition, const Scope& names);
     template <class Value>
     void set(Scope& scope, Fact fact, Value value);
@@ -89,11 +97,13 @@ private:
     Derivation& derivation_;
     const Grammar& grammar_;
     const DeriveOptions& options_;
-    Scope names_, names_of_symbol_, names_of_row_;
-    std::size_t named_ = SIZE_MAX;  // whose names the symbol's are
+    Scope names_, names_of_symbol_, names_of_row_, names_of_maps_;
+    std::size_t named_ = SIZE_MAX;      // whose names the symbol's are,
+    const Rule* named_maps_ = nullptr;  // and the maps'
     const FactSet& asked_;
     std::unique_ptr<SymbolFacts> facts_;
     std::unique_ptr<Contexts> contexts_;
+    std::optional<std::vector<Vec>> positions_;  // of the symbols that are no '='
 };
 
 }  // namespace filigree::rewriting

@@ -34,6 +34,7 @@ public:
             look_at(successor.weight);
             look_at(successor.pattern.parts);
             for (const ExpressionPtr& index : successor.indexes) look_at(index);
+            for (const Lookup::Row& row : successor.lookup.rows) look_at(row.pattern.parts);
         }
     }
 };
