@@ -379,8 +379,8 @@ TEST(ParseProperty, RandomDocumentsHaveStatementsOfEveryKind) {
         const Parsed result = parsed(random.document().text);
         for (const Statement& statement : result.document.statements) ++counts[statement.node.index()];
     }
-    // All but `include` and the four of words.
-    EXPECT_EQ(counts.size(), std::variant_size_v<decltype(Statement::node)> - 5);
+    // All but `include` and the six of words.
+    EXPECT_EQ(counts.size(), std::variant_size_v<decltype(Statement::node)> - 7);
     for (const auto& [kind, count] : counts) EXPECT_GT(count, cases / 20) << kind;
 }
 

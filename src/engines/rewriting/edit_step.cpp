@@ -194,6 +194,7 @@ Result<EditReport> apply_edit(Derivation& derivation, const WordEdit& edit, cons
     report.other = std::move(output->other);
     derivation.word = std::move(*word);
     derivation.alphabet = std::move(alphabet);
+    go_on_with(derivation, grammar, options);  // where there was no symbol yet, there was no column to go on
     return {std::move(report), with_span(output.diagnostics(), edit.span)};
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "engines/rewriting/pattern.h"
+#include "engines/rewriting/setting_values.h"
 #include "engines/rewriting/read_edit.h"
 #include "engines/rewriting/read_lookup.h"
 #include "engines/rewriting/symbol_facts.h"
@@ -22,75 +23,26 @@ constexpr double most_letters = 1e6;  // of a macro
 std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 std::string quoted(char32_t letter) { return "'" + to_utf8(std::u32string(1, letter)) + "'"; }
 
-class GrammarReader {
+class GrammarReader : private SettingValues {
 public:
     GrammarReader(const Settings& settings, const Document& document, const Inputs& inputs)
-        : settings_(settings), document_(document), inputs_(inputs) {}
+        : SettingValues(settings, document), settings_(settings), document_(document), inputs_(inputs) {}
 
     Result<Grammar> run() {
-        grammar_.maps = read_maps(settings_, document_, inputs_, diagnostics_);
+        grammar_.maps = read_maps(settings_, document_, inputs_, diagnostics);
         find_registers_and_arrays(document_.statements);
         add_examples();
         read_system(document_.statements, 0, {});
         check_cells();
         read_edits();
-        const bool failed = has_errors(diagnostics_);
-        if (failed) return std::move(diagnostics_);
-        return Result<Grammar>(std::move(grammar_), std::move(diagnostics_));
+        const bool failed = has_errors(diagnostics);
+        if (failed) return std::move(diagnostics);
+        return Result<Grammar>(std::move(grammar_), std::move(diagnostics));
     }
 
 private:
-    void report(Diagnostic diagnostic) { diagnostics_.push_back(std::move(diagnostic)); }
-
     // --- values ---
 
-    // The word that an expression is, such as the q of `gain q 1`; registers and params are no such words.
-    static const std::string* word_of(const ExpressionPtr& expression) {
-        const auto* name = std::get_if<NameReference>(&expression->node);
-        return name == nullptr ? nullptr : &name->name;
-    }
-    static const std::string* text_of(const ExpressionPtr& expression) {
-        const auto* text = std::get_if<TextLiteral>(&expression->node);
-        return text == nullptr ? nullptr : &text->text;
-    }
-    std::optional<double> number_of(const ExpressionPtr& expression) {
-        Evaluation at;
-        at.document = &document_;
-        at.scope = &settings_.globals;
-        const Result<Value> value = evaluate(*expression, at);
-        const Result<double> number = value ? as_number(*value) : Result<double>(value.diagnostics());
-        if (number) return *number;
-        for (Diagnostic problem : number.diagnostics()) report(std::move(problem));
-        return std::nullopt;
-    }
-    std::optional<double> whole_of(const ExpressionPtr& expression, double least, double most) {
-        const std::optional<double> number = number_of(expression);
-        if (!number) return std::nullopt;
-        if (*number >= least && *number <= most && *number == std::floor(*number)) return number;
-        report(error("rewriting.out-of-range",
-                     "expected a whole number from " + std::to_string(static_cast<std::int64_t>(least)) + " to " +
-                         std::to_string(static_cast<std::int64_t>(most)),
-                     expression->span));
-        return std::nullopt;
-    }
-    // One letter, bare or in quotes.
-    std::optional<char32_t> letter_of(const ExpressionPtr& expression) {
-        const std::string* said = word_of(expression) != nullptr ? word_of(expression) : text_of(expression);
-        const std::u32string letters = said == nullptr ? std::u32string() : letters_of(*said);
-        if (letters.size() == 1) return letters[0];
-        report(error("rewriting.bad-letter", "expected one letter", expression->span,
-                     {"signs are written in quotes, as in \"+\""}));
-        return std::nullopt;
-    }
-    std::size_t one_of(const ExpressionPtr& expression, std::initializer_list<std::string_view> words) {
-        const std::string* said = word_of(expression);
-        const auto found = said == nullptr ? words.end() : std::find(words.begin(), words.end(), *said);
-        if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-        std::string list;
-        for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + quoted(word);
-        report(error("rewriting.bad-word", "expected one of " + list, expression->span));
-        return 0;
-    }
     Pattern pattern_of(const Name& text, bool frees_braces) {
         Result<Pattern> pattern = read_pattern(text.text, text.span, frees_braces);
         if (pattern) return std::move(*pattern);
@@ -119,12 +71,16 @@ private:
     Diagnostics problems_of_number(const ExpressionPtr& expression, const Scope& scope) const {
         Diagnostics problems = check_expression(*expression, with(scope));
         if (!problems.empty()) return problems;
+        if (has_choice(*expression)) {
+            return {error("rewriting.choice-in-rule", "the expressions of rules draw nothing", expression->span,
+                          {"several successors, and macros as in 'R = random 1..8 \"ab\"', draw at random"})};
+        }
         const Result<Value> value = evaluate(*expression, with(scope));
         if (value) return as_number(Value{value->data, expression->span}).diagnostics();
         return {};  // with these values alone
     }
     void check_number(const ExpressionPtr& expression, const Scope& scope) {
-        if (expression) append(diagnostics_, problems_of_number(expression, scope));
+        if (expression) append(diagnostics, problems_of_number(expression, scope));
     }
     // The numbers of repeats have no place of their own in the document.
     void check_counts(const std::vector<Pattern::Part>& parts, const Scope& scope, SourceSpan text) {
@@ -141,7 +97,7 @@ private:
         const Scope known = example_scope(looked_up, &facts_of_symbol_);
         std::vector<std::string_view> varying = std::move(looked_up);
         varying.insert(varying.end(), fact_names.begin(), fact_names.end());
-        append(diagnostics_, check_condition(*condition, with(known), settings_.globals, varying));
+        append(diagnostics, check_condition(*condition, with(known), settings_.globals, varying));
     }
     void check_expressions(const Rule& rule) {
         const std::vector<std::string_view> looked_up = names_looked_up(rule, grammar_.maps);
@@ -432,23 +388,13 @@ private:
         system.macros.push_back(std::move(macro));
     }
 
-    void fail_usage(const SettingStatement& setting) {
-        const WordSetting* known = find_word_setting(setting.name.text);
-        report(error("rewriting.bad-setting", quoted(setting.name.text) + " does not take these values",
-                     setting.name.span, {"write it as in '" + std::string(known->example) + "'"}));
-    }
-    bool has_one_value(const SettingStatement& setting) {
-        if (setting.values.size() != 1) fail_usage(setting);
-        return setting.values.size() == 1;
-    }
-
     void read_setting(const SettingStatement& setting, std::size_t which, bool frees_braces) {
         System& system = grammar_.systems[which];
         const std::string& name = setting.name.text;
         const ExpressionPtr& value = setting.values[0];
         if (name == "free" || name == "array" || name == "register") return;
         if (name == "gain") return read_gain(setting, system);
-        if (!has_one_value(setting)) return;
+        if (!has_values(setting, 1, 1)) return;
         if (name == "dialect") {
             one_of(value, {"gdesign"});
         } else if (name == "axiom") {
@@ -577,7 +523,7 @@ private:
         } else if (said.lookup) {
             successor.kind = Successor::Kind::lookup;
             Result<Lookup> lookup = read_lookup(*said.lookup, grammar_.maps, settings_, document_, frees_braces);
-            append(diagnostics_, lookup.diagnostics());
+            append(diagnostics, lookup.diagnostics());
             if (lookup) successor.lookup = std::move(*lookup);
         } else {
             successor.pattern = pattern_of(*said.text, frees_braces);
@@ -592,7 +538,6 @@ private:
     std::vector<std::pair<Pattern, SourceSpan>> cell_texts_;
     std::set<std::string, std::less<>> broken_arrays_;  // what is wrong with them is said
     Scope registers_, facts_of_row_, facts_of_symbol_;  // example values
-    Diagnostics diagnostics_;
 };
 
 }  // namespace

@@ -21,6 +21,11 @@ std::optional<Value> SettingValues::value_of(const ExpressionPtr& expression) {
     Evaluation at;
     at.document = &document_;
     at.scope = &settings_.globals;
+    if (has_choice(*expression)) {
+        report(error("rewriting.choice-in-setting", "a setting draws nothing", expression->span,
+                     {"give what is drawn a name, as in 'let bend = 20..40'"}));
+        return std::nullopt;
+    }
     Result<Value> value = evaluate(*expression, at);
     if (value) {
         value->span = expression->span;
