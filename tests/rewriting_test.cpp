@@ -126,6 +126,22 @@ TEST(Rewriting, StylesAskWhatIsKnownOfASymbol) {
     EXPECT_EQ(colours("style a when t > 0 && x < 1000 { stroke: #ff0000 }"), std::pair(true, false));
 }
 
+TEST(Rewriting, WhatPutASymbolIsTold) {
+    const TestFolder folder;
+    const std::string file =
+        folder.write("a.fil", "grammar rewriting\naxiom \"a\"\niterations 2\na@1 -> \"bb\"\nb -> \"cF\"\nstep 10\n");
+    const std::string out = run_program("pick " + file + " --at 35,0").out;
+    EXPECT_EQ(out.substr(0, 6), "word/4") << out;
+    EXPECT_NE(out.find("made by iteration 2  (a.fil, line 5)\n    b -> \"cF\"\n"), std::string::npos) << out;
+    EXPECT_NE(out.find("made by iteration 1  (a.fil, line 4)\n    a@1 -> \"bb\"\n"), std::string::npos) << out;
+    EXPECT_EQ(run_program("pick " + file + " --at 35,9").out, "nothing is drawn there\n");
+    const std::string host =
+        folder.write("b.fil", "grammar tangle\nstart s = rectangle(40, 10)\nembed(\"a.fil\") : s\n");
+    const std::string inner = run_program("pick " + host + " --at 0,0").out;
+    EXPECT_NE(inner.find("b -> \"cF\""), std::string::npos) << inner;
+    EXPECT_NE(inner.find("embed(document: \"a.fil\")"), std::string::npos) << inner;
+}
+
 TEST(Rewriting, WordsGrowInsideShapes) {
     const TestFolder folder;
     folder.write("a.fil", koch);

@@ -72,19 +72,8 @@ std::string_view name_of(const RuleTrial& trial) {
     return "";
 }
 
-// A rule or a mask, without what follows its first line.
-struct Said {
-    std::string file;
-    std::uint32_t line = 1;
-    std::string text;
-};
-Said said_at(const OpenedDocument& opened, SourceSpan span) {
-    const SourceFile& source = opened.document.sources[span.file];
-    const std::string all = source.text.substr(span.begin, span.end - span.begin);
-    return {source.name, line_column(source.text, span.begin).line, all.substr(0, all.find('\n'))};
-}
 std::string said_text(const OpenedDocument& opened, SourceSpan span) {
-    const Said said = said_at(opened, span);
+    const SaidRule said = said_at(opened, span);
     return said.file + ":" + std::to_string(said.line) + ": " + said.text;
 }
 
@@ -170,7 +159,7 @@ std::string told(const OpenedDocument& opened, const rewriting::Explanation& exp
 }
 
 Json said_json(const OpenedDocument& opened, SourceSpan span) {
-    const Said said = said_at(opened, span);
+    const SaidRule said = said_at(opened, span);
     return {{"file", said.file}, {"line", said.line}, {"text", said.text}};
 }
 
@@ -222,6 +211,12 @@ std::string as_data(const OpenedDocument& opened, const CheckedDocument& checked
 }
 
 }  // namespace
+
+SaidRule said_at(const OpenedDocument& opened, SourceSpan span) {
+    const SourceFile& source = opened.document.sources[span.file];
+    const std::string all = source.text.substr(span.begin, span.end - span.begin);
+    return {source.name, line_column(source.text, span.begin).line, all.substr(0, all.find('\n'))};
+}
 
 Result<std::string> explain_word(const OpenedDocument& opened, const CheckedDocument& checked,
                                  std::optional<std::uint64_t> steps, std::uint64_t position, bool as_json,

@@ -9,6 +9,14 @@
 
 namespace filigree {
 
+// A rule or a mask as the document says it, without what follows its first line.
+struct SaidRule {
+    std::string file;
+    std::uint32_t line = 1;
+    std::string text;
+};
+SaidRule said_at(const OpenedDocument& opened, SourceSpan span);
+
 // Of the symbol at a position, from 0 and without '=', of the word after `steps` iterations; without a number, after as
 // many as the document says.
 Result<std::string> explain_word(const OpenedDocument& opened, const CheckedDocument& checked,

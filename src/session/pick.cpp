@@ -169,13 +169,13 @@ std::string picked_text(const Picked& picked) {
     std::string text = picked.path + "  (" + to_text(picked.area) + " px2, key " + to_hex(picked.key.value) + ")\n";
     for (const PickedStep& step : picked.steps) {
         text += "  made by " + step.path + "  (" + step.document + ", line " + std::to_string(step.line) + ")\n";
-        text += "    " + step.operation + "(";
+        text += "    " + step.operation;
         for (std::size_t i = 0; i < step.arguments.size(); ++i) {
-            text += (i == 0 ? "" : ", ") + step.arguments[i].first + ": " + step.arguments[i].second;
+            text += (i == 0 ? "(" : ", ") + step.arguments[i].first + ": " + step.arguments[i].second;
         }
-        text += ")\n";
+        text += step.arguments.empty() ? "\n" : ")\n";
     }
-    if (picked.steps.empty()) text += "  a shape of the start\n";
+    if (picked.steps.empty()) text += "  nothing made it: it stands at the beginning\n";
     return text;
 }
 

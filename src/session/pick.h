@@ -10,12 +10,12 @@
 
 namespace filigree {
 
-// One step behind an element.
+// One step behind an element; of words, the rule that put a symbol, or one that it descends from.
 struct PickedStep {
     std::string path;        // "big_poly/outline/in/regular_split"
     std::string document;    // whose step it is: the name of the document or of the one that it embeds
     std::string rule;        // its segment
-    std::string operation;   // its operator
+    std::string operation;   // its operator; of words the rule as the document says it
     std::uint32_t line = 0;  // of the rule
     Key key;
     std::vector<std::pair<std::string, std::string>> arguments;  // as a document would write them

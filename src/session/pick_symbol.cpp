@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <string>
 
+#include "engines/rewriting/explain.h"
 #include "plane/edge_tree.h"
+#include "session/explain_word.h"
 
 namespace filigree {
 namespace {
@@ -49,6 +51,30 @@ std::uint64_t nearest_symbol(const TurtleDrawing& turtled, const rewriting::Page
     return symbol;
 }
 
+// The rules that put the symbol and those that it descends from, the last first. An edit of the word loses the track.
+void add_ancestors(Picked& picked, const OpenedDocument& opened, const CheckedDocument& checked,
+                   const rewriting::Derivation& derivation, const WordPlace& place, std::uint64_t index) {
+    if (!checked.words->edits.empty()) return;
+    const rewriting::DeriveOptions options = word_options(opened, checked, {{}, place.root});
+    const Result<rewriting::Explanation> explained =
+        rewriting::explain(*checked.words, options, derivation.iteration, index, {});
+    if (!explained) return;
+    const std::vector<rewriting::SymbolMoment>& moments = explained->moments;
+    for (std::size_t m = moments.size() - 1; m > 0; --m) {
+        const rewriting::Rule* rule = moments[m - 1].rule;
+        if (rule == nullptr) continue;
+        const SaidRule said = said_at(opened, rule->span);
+        PickedStep step;
+        step.path = place.prefix + "iteration " + std::to_string(moments[m].iteration);
+        step.document = opened.name;
+        step.rule = rewriting::to_utf8(std::u32string(1, rule->letter));
+        step.operation = said.text;
+        step.line = said.line;
+        step.key = rule->key;
+        picked.steps.push_back(std::move(step));
+    }
+}
+
 }  // namespace
 
 std::optional<Picked> pick_symbol(const OpenedDocument& opened, const CheckedDocument& checked, const WordRun& word,
@@ -81,6 +107,7 @@ std::optional<Picked> pick_symbol(const OpenedDocument& opened, const CheckedDoc
     picked.tag = rewriting::to_utf8(std::u32string(1, entry.letter));
     picked.key = drawn.key;
     if (!is_line) picked.area = area(polygon_of(picture->drawing, drawn));
+    add_ancestors(picked, opened, checked, derivation, place, index);
     return picked;
 }
 

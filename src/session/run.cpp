@@ -65,6 +65,15 @@ Result<Run> run_word(const OpenedDocument& opened, const CheckedDocument& checke
     const double begin = now_seconds();
     WordOptions wanted;
     wanted.steps = options.steps;
+    if (!options.draws) {
+        Result<rewriting::Derivation> derivation = derive_word(opened, checked, wanted, executor, job);
+        if (!derivation) return derivation.diagnostics();
+        Run run;
+        run.diagnostics = derivation.diagnostics();
+        run.times.derive = now_seconds() - begin;
+        run.word = WordRun{std::move(*derivation), {}};
+        return run;
+    }
     Result<DrawnWord> drawn = draw_word(opened, checked, wanted, executor, job);
     if (!drawn) return drawn.diagnostics();
     Run run;

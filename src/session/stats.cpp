@@ -53,6 +53,11 @@ Json seconds_of(const RunTimes& times) {
             {"total", times.total}};
 }
 
+std::size_t rule_count(const rewriting::Grammar& grammar) {
+    return std::accumulate(grammar.systems.begin(), grammar.systems.end(), std::size_t{0},
+                           [](std::size_t sum, const rewriting::System& system) { return sum + system.rules.size(); });
+}
+
 Json verified(const Run& run) { return run.verified ? Json(run.broken.empty()) : Json(nullptr); }
 
 std::string word_stats_json(const OpenedDocument& opened, const CheckedDocument& checked, const Run& run) {
@@ -63,9 +68,7 @@ std::string word_stats_json(const OpenedDocument& opened, const CheckedDocument&
     json["seed"] = checked.settings->seed;
     json["steps"] = derivation.iteration;
     json["elements"] = run.drawing.shapes.size();
-    json["rules"] =
-        std::accumulate(checked.words->systems.begin(), checked.words->systems.end(), std::size_t{0},
-                        [](std::size_t sum, const rewriting::System& system) { return sum + system.rules.size(); });
+    json["rules"] = rule_count(*checked.words);
     json["seconds"] = seconds_of(run.times);
     json["peak_memory_bytes"] = peak_memory_bytes();
     json["verified"] = verified(run);
@@ -121,6 +124,7 @@ std::string stats_json(const OpenedDocument& opened, const CheckedDocument& chec
 }
 
 std::string check_text(const CheckedDocument& checked, const Document& document) {
+    if (checked.words) return "rules " + std::to_string(rule_count(*checked.words)) + "\n";
     std::string text = "rules " + std::to_string(checked.rules.size()) + ", edges " +
                        std::to_string(checked.graph.edges) + ", longest path " +
                        std::to_string(checked.graph.longest_path) + "\n";

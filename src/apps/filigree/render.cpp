@@ -64,6 +64,7 @@ Outcome render_once(const RenderCommand& command, Executor& executor, const Job&
     options.steps = command.steps;
     options.colour_by = command.colour_by;
     options.verify = command.verify;
+    options.draws = !std::all_of(command.outputs.begin(), command.outputs.end(), is_mesh_format);
     Result<Run> run = run_document(*opened, checked, options, executor, job);
     if (!run) return {print_diagnostics(run.diagnostics(), sources), read};
     if (command.strict) refuse_unmatched(run->diagnostics);

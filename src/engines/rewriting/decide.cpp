@@ -281,10 +281,18 @@ private:
         return true;
     }
 
+    Diagnostic too_many_elements(std::uint64_t least) const {
+        return fault(Fault::limit, "limit.elements",
+                     "iteration " + std::to_string(match_.next_iteration()) + " would make a word of " +
+                         std::to_string(least) + " symbols and more, where " +
+                         std::to_string(options_.limits.elements) + " are allowed");
+    }
+
     bool decide_all() {
         const Word& word = derivation_.word;
         const std::vector<Symbol>& symbols = word.symbols;
         std::size_t index = 0;
+        std::uint64_t least = 0, seen = 0;  // symbols of the new word
         for (std::size_t place = 0; place < symbols.size(); ++index) {
             const Symbol symbol = symbols[place];
             const std::size_t freezes = freezes_behind(symbols, place);
@@ -294,7 +302,11 @@ private:
                 const std::optional<std::uint32_t> image = decide(symbol, place, index, freezes > 0);
                 if (!image) return false;
                 plan_.decisions.push_back(*image);
+                least += plan_.images[*image].symbols.size();
+                // Counted along the way, since what is decided is also held until the word is counted.
+                if (least > options_.limits.elements) return fail(too_many_elements(least));
             }
+            if ((++seen & 0xFFFF) == 0 && is_cancelled(job_)) return fail(cancelled_diagnostic());
             place += 1 + freezes;
         }
         return true;

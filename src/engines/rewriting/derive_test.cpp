@@ -308,6 +308,20 @@ TEST(Derive, RulesOfLaterIterationsMayChangeOnTheWay) {
     EXPECT_EQ(to_text(anew->word, anew->alphabet), "ab" + std::string(3 * 8, 'd'));
 }
 
+TEST(Derive, WhatIsDecidedIsCountedAlongTheWay) {
+    // Each of a million symbols would put a hundred thousand.
+    const Read said = read("axiom \"{1000000 a}\"\nregister r 50000\na -> \"{$r ab}\"");
+    ASSERT_TRUE(said.problems.empty());
+    DeriveOptions options;
+    options.limits.elements = 2'000'000;
+    Result<Derivation> derivation = begin(said.grammar, options);
+    ASSERT_TRUE(derivation);
+    const std::optional<Diagnostic> problem = step(*derivation, said.grammar, options, {});
+    ASSERT_TRUE(problem);
+    EXPECT_EQ(problem->code, "limit.elements");
+    EXPECT_EQ(derivation->word.size(), 1'000'000U);
+}
+
 TEST(Derive, WrongGrammars) {
     EXPECT_EQ(words("a -> \"b\"", 0), "rewriting.missing-axiom");
     EXPECT_EQ(words("axiom \"a\"\naxiom \"b\"", 0), "rewriting.repeated-setting");
