@@ -142,6 +142,33 @@ TEST(Rewriting, WhatPutASymbolIsTold) {
     EXPECT_NE(inner.find("embed(document: \"a.fil\")"), std::string::npos) << inner;
 }
 
+TEST(Rewriting, LettersPlaceWhatFilesHold) {
+    const TestFolder folder;
+    folder.write("leaf.svg", "<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0h10v5h-10z'/></svg>");
+    const std::string file =
+        folder.write("a.fil", "grammar rewriting\naxiom \"lll\"\nstep 20\nletter l file(\"leaf.svg\")\n");
+    ASSERT_EQ(run_program("render " + file + " -o " + folder / "a.svg").out, "");
+    const std::string svg = folder.read("a.svg");
+    EXPECT_NE(svg.find("h10v5h-10z"), std::string::npos) << svg;
+    // Three of them, and the file itself is carried.
+    EXPECT_NE(svg.find("leaf.svg"), std::string::npos) << svg;
+    std::filesystem::remove(folder / "leaf.svg");
+    EXPECT_EQ(run_program("render " + folder / "a.svg" + " -o " + folder / "b.svg").out, "");
+    EXPECT_EQ(folder.read("b.svg"), svg);
+}
+
+TEST(Rewriting, WhatIsTooLargeToDrawIsSaid) {
+    const TestFolder folder;
+    const auto code = [&](const std::string& text) {
+        const std::string file = folder.write("a.fil", "grammar rewriting\n" + text);
+        const Ran ran = run_program("render " + file + " -o " + folder / "a.svg");
+        return std::to_string(ran.status) + ran.out;
+    };
+    EXPECT_NE(code("axiom \"{100000 b}\"\nletter b star(1000, 10, 4)\nlimit memory 100MB\n").find("limit.memory"),
+              std::string::npos);
+    EXPECT_NE(code("axiom \"{10 ~(10)}aP+a\"\nview 1, 1\n").find("rewriting.too-far"), std::string::npos);
+}
+
 TEST(Rewriting, WordsGrowInsideShapes) {
     const TestFolder folder;
     folder.write("a.fil", koch);

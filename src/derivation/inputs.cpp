@@ -29,8 +29,11 @@ public:
     void operator()(const PresetStatement& preset) { look_into(preset.value); }
     void operator()(const ApplyStatement& apply) { look_into(apply.arguments); }
     void operator()(const OperatorStatement& macro) { look_into(macro.statements); }
-    // array M from "rules.csv", image wall "photo.png" over ...
+    // array M from "rules.csv", image wall "photo.png" over ..., letter b file("leaf.svg")
     void operator()(const SettingStatement& setting) {
+        if (setting.name.text == "letter") {
+            for (const ExpressionPtr& value : setting.values) look_into(value);
+        }
         const bool is_map = find_word_setting(setting.name.text)->is_map;
         const std::size_t place = is_map ? 1 : 2;
         if ((!is_map && setting.name.text != "array") || setting.values.size() <= place) return;

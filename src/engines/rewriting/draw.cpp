@@ -79,8 +79,24 @@ private:
         Result<TurtleDrawing> turtled = turtle_drawing(word_, derivation_.alphabet, turtle, settings_.limits.elements);
         if (!turtled) return turtled;
         if (!problems.empty()) return problems;
-        if (!read_forms()) return errors_;
+        if (!read_forms() || !has_room_for_forms(*turtled)) return errors_;
         return turtled;
+    }
+
+    // Placed shapes are counted before, their corners here.
+    bool has_room_for_forms(const TurtleDrawing& turtled) {
+        std::vector<std::uint64_t> times(turtled.shape_names.size());
+        for (const TurtleShape& shape : turtled.shapes) ++times[shape.name];
+        std::uint64_t corners = 0;
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            corners += times[i] * forms_[static_cast<std::size_t>(std::stoul(turtled.shape_names[i]))].points.size();
+        }
+        constexpr std::uint64_t bytes_a_corner = 64;  // with what formats make of it
+        if (corners <= settings_.limits.memory_bytes / bytes_a_corner) return true;
+        errors_.push_back(
+            fault(Fault::limit, "limit.memory",
+                  "what the letters place has " + std::to_string(corners) + " corners, which takes too much memory"));
+        return false;
     }
 
     // --- what letters place ---
@@ -203,6 +219,11 @@ private:
     Result<Picture> draw_in_space(const TurtleDrawing& turtled) {
         Result<WordSolid> solid = word_solid(derivation_, turtled, rules_, forms_, styles_);
         if (!solid) return solid.diagnostics();
+        constexpr double farthest = 0x1p29;  // px: so that the view of it stays on the plane
+        for (const Vec3 p : solid->mesh.vertices) {
+            if (std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) < farthest) continue;
+            return fault(Fault::limit, "rewriting.too-far", "the word leads farther than 2^29 px away");
+        }
         View view = rules_.view.value_or(View{});
         view.up = UpAxis::y;
         SolidViewOptions options;

@@ -181,7 +181,7 @@ private:
 
     void read_colours(const SettingStatement& setting) {
         if (!values_.has_values(setting, 1, 1)) return;
-        const std::optional<Value> value = values_.value_of(setting.values[0]);
+        const std::optional<Value> value = values_.value_of(setting.values[0], colour_words_beside(&settings_.globals));
         if (!value) return;
         const auto* list = std::get_if<ValueList>(&value->data);
         if (list == nullptr || list->items.empty()) return values_.fail_usage(setting);

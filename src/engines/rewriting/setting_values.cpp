@@ -17,10 +17,11 @@ const std::string* SettingValues::text_of(const ExpressionPtr& expression) {
     return text == nullptr ? nullptr : &text->text;
 }
 
-std::optional<Value> SettingValues::value_of(const ExpressionPtr& expression) {
+std::optional<Value> SettingValues::value_of(const ExpressionPtr& expression, std::vector<std::string_view> words) {
     Evaluation at;
     at.document = &document_;
     at.scope = &settings_.globals;
+    at.words = std::move(words);
     if (has_choice(*expression)) {
         report(error("rewriting.choice-in-setting", "a setting draws nothing", expression->span,
                      {"give what is drawn a name, as in 'let bend = 20..40'"}));

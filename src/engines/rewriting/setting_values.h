@@ -25,8 +25,8 @@ public:
     static const std::string* word_of(const ExpressionPtr& expression);
     static const std::string* text_of(const ExpressionPtr& expression);
 
-    // Nothing is given back for what is wrong, which is reported.
-    std::optional<Value> value_of(const ExpressionPtr& expression);
+    // Nothing is given back for what is wrong, which is reported. `words` mean themselves.
+    std::optional<Value> value_of(const ExpressionPtr& expression, std::vector<std::string_view> words = {});
     std::optional<double> number_of(const ExpressionPtr& expression);
     std::optional<double> angle_of(const ExpressionPtr& expression);   // degrees
     std::optional<double> length_of(const ExpressionPtr& expression);  // px
