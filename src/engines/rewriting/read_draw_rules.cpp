@@ -226,8 +226,9 @@ const std::vector<OperatorDescription>& letter_forms() {
             return ParameterDescription{
                 .name = name, .type = ParameterType::length, .help = help, .low = 1e-3, .high = largest_length};
         };
-        ParameterDescription height = size("height", "upwards");
-        height.default_text = "breadth";
+        ParameterDescription height = size("height", "upwards; 0 is as much as the breadth");
+        height.default_text = "0px";
+        height.low = 0;
         all.push_back({.name = "box",
                        .help = "a box that begins where the turtle stands; in the plane a rectangle",
                        .source = "GDesign, figure 9",

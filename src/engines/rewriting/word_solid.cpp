@@ -83,7 +83,8 @@ private:
         if (form.name == "box") {
             const auto size = [&](const char* name) { return shape.scale * number_of(form, name); };
             const Vec3 end = shape.position + size("length") * shape.frame.heading;
-            add_box(made_.mesh, shape.position, end, shape.frame, size("breadth"), size("height"), origin);
+            const double height = size("height") > 0 ? size("height") : size("breadth");
+            add_box(made_.mesh, shape.position, end, shape.frame, size("breadth"), height, origin);
             return;
         }
         // The form's y goes to the right of who looks along the heading.
