@@ -106,7 +106,7 @@ TEST(EditStepProperty, WordsStaySoundAmidDerivations) {
             ++made;
         }
     }
-    EXPECT_GT(made, 600);
+    EXPECT_GT(made, static_cast<int>(case_count(600)));
 }
 
 // No two symbols draw alike, however often a word is edited.
