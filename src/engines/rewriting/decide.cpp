@@ -71,7 +71,7 @@ private:
                 planned.kind = Kind::repeat;
                 return true;
             case Role::subsystem:
-                if (!system_named(entry.letter)) return true;
+                if (!find_system(grammar_, entry.letter)) return true;
                 [[fallthrough]];
             case Role::macro:
                 planned.kind = Kind::put;
@@ -219,13 +219,6 @@ private:
 
     // --- subsystems ---
 
-    std::optional<std::uint32_t> system_named(char32_t letter) const {
-        for (std::uint32_t s = 1; s < grammar_.systems.size(); ++s) {
-            if (grammar_.systems[s].letter == letter) return s;
-        }
-        return std::nullopt;
-    }
-
     // The axiom of a system that grows, as symbols of a scope of its own: once an iteration, and only where one is put.
     std::optional<std::uint32_t> begun(std::uint32_t system, Symbol symbol) {
         const auto known = begun_.find(symbol);
@@ -248,20 +241,12 @@ private:
         ++options.nested;
         options.seed = fold(options_.seed, bits);
         options.root = Key{bits};
-        Result<Derivation> inner = begin(grammar_, options, system);
+        const Result<Derivation> inner = derive_system(grammar_, options, system, job_);
         if (!inner) {
             fail(inner.diagnostics().front());
             return std::nullopt;
         }
-        for (std::uint32_t t = 0; t < grammar_.systems[system].iterations; ++t) {
-            if (std::optional<Diagnostic> problem = step(*inner, grammar_, options, job_)) {
-                fail(std::move(*problem));
-                return std::nullopt;
-            }
-        }
-        std::u32string letters;
-        for (const Symbol symbol : inner->word.symbols) letters += inner->alphabet[symbol].letter;
-        return image_of_letters(letters, match_.system_of(scope).roles, scope);
+        return image_of_letters(letters_of(inner->word, inner->alphabet), match_.system_of(scope).roles, scope);
     }
 
     // --- decisions ---
@@ -316,7 +301,7 @@ private:
         const SymbolEntry entry = derivation_.alphabet[symbol];
         if (entry.role == Role::macro) return decide_macro(entry, index, recalls);
         if (entry.role == Role::subsystem) {
-            const std::uint32_t system = *system_named(entry.letter);
+            const std::uint32_t system = *find_system(grammar_, entry.letter);
             if (grammar_.systems[system].grows) return begun(system, symbol);
             return grown(system, entry.scope, match_.bits_at(index, 0, index, 0));
         }

@@ -40,20 +40,6 @@ bool draws(const Grammar& grammar) {
     });
 }
 
-// The columns that the grammar needs and the word has not.
-void begin_columns(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options) {
-    Word& word = derivation.word;
-    const bool with_keys = word.keys.empty() && draws(grammar) && grammar.draws == DrawMode::lineage;
-    const bool with_ages = word.ages.empty() && (options.with_ages || has(derivation.asked, Fact::age));
-    std::uint64_t index = 0;
-    for (const Symbol symbol : word.symbols) {
-        if (symbol == Alphabet::freeze) continue;
-        if (with_keys) word.keys.push_back(fold(options.root.value, index));
-        if (with_ages) word.ages.push_back(1);
-        ++index;
-    }
-}
-
 }  // namespace
 
 std::optional<std::vector<Symbol>> symbols_of(std::u32string_view letters, const Roles& roles, std::uint32_t scope,
@@ -72,6 +58,19 @@ std::optional<std::vector<Symbol>> symbols_of(std::u32string_view letters, const
     return symbols;
 }
 
+void begin_columns(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options) {
+    Word& word = derivation.word;
+    const bool with_keys = word.keys.empty() && draws(grammar) && grammar.draws == DrawMode::lineage;
+    const bool with_ages = word.ages.empty() && (options.with_ages || has(derivation.asked, Fact::age));
+    std::uint64_t index = 0;
+    for (const Symbol symbol : word.symbols) {
+        if (symbol == Alphabet::freeze) continue;
+        if (with_keys) word.keys.push_back(fold(options.root.value, index));
+        if (with_ages) word.ages.push_back(1);
+        ++index;
+    }
+}
+
 Result<Derivation> begin(const Grammar& grammar, const DeriveOptions& options, std::uint32_t which) {
     const System& system = grammar.systems[which];
     Derivation derivation;
@@ -81,15 +80,7 @@ Result<Derivation> begin(const Grammar& grammar, const DeriveOptions& options, s
     Scope names;
     names.outer = options.globals;
     for (const Register& known : grammar.registers) names.names[known.name] = Value{Quantity{known.value}, {}};
-    Evaluation at;
-    at.document = options.document;
-    at.scope = &names;
-    const Result<std::u32string> axiom =
-        expanded(system.axiom, options.limits.elements, [&](const ExpressionPtr& count) -> Result<double> {
-            const Result<Value> value = evaluate(*count, at);
-            if (!value) return value.diagnostics();
-            return as_number(*value);
-        });
+    const Result<std::u32string> axiom = put_text(system.axiom, options.document, names, options.limits.elements);
     if (!axiom) return axiom.diagnostics();
     std::optional<std::vector<Symbol>> symbols = symbols_of(*axiom, system.roles, 0, derivation.alphabet);
     if (!symbols) return too_many_symbols();
@@ -100,6 +91,15 @@ Result<Derivation> begin(const Grammar& grammar, const DeriveOptions& options, s
         if (derivation.alphabet[symbol].role == Role::follower) word.origins.push_back(1);
     }
     begin_columns(derivation, grammar, options);
+    return derivation;
+}
+
+Result<Derivation> derive_system(const Grammar& grammar, const DeriveOptions& options, std::uint32_t system,
+                                 const Job& job) {
+    Result<Derivation> derivation = begin(grammar, options, system);
+    for (std::uint32_t t = 0; derivation && t < grammar.systems[system].iterations; ++t) {
+        if (std::optional<Diagnostic> problem = step(*derivation, grammar, options, job)) return std::move(*problem);
+    }
     return derivation;
 }
 

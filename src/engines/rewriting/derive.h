@@ -73,6 +73,13 @@ Result<Derivation> begin(const Grammar& grammar, const DeriveOptions& options, s
 std::optional<Diagnostic> step(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options,
                                const Job& job, std::vector<std::uint32_t>* parents = nullptr);
 
+// A system's word after all its iterations.
+Result<Derivation> derive_system(const Grammar& grammar, const DeriveOptions& options, std::uint32_t system,
+                                 const Job& job);
+
+// Counts ages and lineages from here on, where the grammar needs them and the word has none.
+void begin_columns(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options);
+
 // From now on the rules are those of another grammar, whose letters have the same roles: rules of later iterations may
 // change while a derivation is under way. What the word has not counted so far, ages and lineages, begins here;
 // registers keep their values, new ones have those that they begin with.

@@ -8,22 +8,11 @@
 
 namespace filigree::rewriting {
 
-Result<std::u32string> put_text(const Pattern& text, const Document& document, const Scope& names, std::uint64_t most) {
-    Evaluation at;
-    at.document = &document;
-    at.scope = &names;
-    return expanded(text, most, [&](const ExpressionPtr& count) -> Result<double> {
-        const Result<Value> value = evaluate(*count, at);
-        if (!value) return value.diagnostics();
-        return as_number(*value);
-    });
-}
-
 Result<std::vector<ChunkPair>> put_pairs(const std::vector<WordEdit::Pair>& pairs, const Document& document,
                                          const Scope& names, std::uint64_t most) {
     std::vector<ChunkPair> put;
     for (const WordEdit::Pair& pair : pairs) {
-        Result<std::u32string> to = put_text(pair.to, document, names, most);
+        Result<std::u32string> to = put_text(pair.to, &document, names, most);
         if (!to) return std::move(to).diagnostics();
         put.push_back({pair.from, std::move(*to)});
     }
@@ -43,7 +32,7 @@ Diagnostics EditArguments::evaluate_common(std::uint64_t most) {
         if (parameters[i].type != ParameterType::text || text == nullptr) continue;
         const Result<Pattern> pattern = read_pattern(*text, edit_.call.expressions[i]->span, edit_.frees_braces);
         if (!pattern) return pattern.diagnostics();
-        Result<std::u32string> letters = put_text(*pattern, document_, names_, most);
+        Result<std::u32string> letters = put_text(*pattern, &document_, names_, most);
         if (!letters) return std::move(letters).diagnostics();
         letters_[i] = std::move(*letters);
     }

@@ -13,8 +13,6 @@
 
 namespace filigree::rewriting {
 
-// A text with its repeats put, whose numbers may use the names; at most `most` letters.
-Result<std::u32string> put_text(const Pattern& text, const Document& document, const Scope& names, std::uint64_t most);
 Result<std::vector<ChunkPair>> put_pairs(const std::vector<WordEdit::Pair>& pairs, const Document& document,
                                          const Scope& names, std::uint64_t most);
 

@@ -148,12 +148,8 @@ private:
         DeriveOptions options = options_;
         ++options.nested;
         options.root = key_;
-        Result<Derivation> inner = begin(grammar_, options, system);
-        if (!inner) return std::move(inner).diagnostics();
-        for (std::uint32_t t = 0; t < grammar_.systems[system].iterations; ++t) {
-            if (is_cancelled(job_)) return cancelled_diagnostic();
-            if (std::optional<Diagnostic> problem = step(*inner, grammar_, options, job_)) return std::move(*problem);
-        }
+        const Result<Derivation> inner = derive_system(grammar_, options, system, job_);
+        if (!inner) return inner.diagnostics();
         return letters_of(inner->word, inner->alphabet);
     }
 
@@ -194,7 +190,7 @@ Result<EditReport> apply_edit(Derivation& derivation, const WordEdit& edit, cons
     report.other = std::move(output->other);
     derivation.word = std::move(*word);
     derivation.alphabet = std::move(alphabet);
-    go_on_with(derivation, grammar, options);  // where there was no symbol yet, there was no column to go on
+    begin_columns(derivation, grammar, options);  // a word without symbols had none to go on with
     return {std::move(report), with_span(output.diagnostics(), edit.span)};
 }
 
@@ -227,10 +223,7 @@ Scope names_of_word(const std::vector<Register>& registers, std::uint32_t iterat
 
 std::optional<std::uint32_t> system_of_letter(const Grammar& grammar, std::string_view letter) {
     const std::u32string letters = letters_of(letter);
-    for (std::uint32_t s = 1; s < grammar.systems.size(); ++s) {
-        if (letters.size() == 1 && grammar.systems[s].letter == letters[0]) return s;
-    }
-    return std::nullopt;
+    return letters.size() == 1 ? find_system(grammar, letters[0]) : std::nullopt;
 }
 
 }  // namespace filigree::rewriting

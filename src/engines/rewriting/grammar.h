@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -137,6 +138,14 @@ auto find_named(Items& items, std::string_view name) -> decltype(items.data()) {
         if (item.name == name) return &item;
     }
     return nullptr;
+}
+
+// The subsystem that a letter stands for.
+inline std::optional<std::uint32_t> find_system(const Grammar& grammar, char32_t letter) {
+    for (std::uint32_t s = 1; s < grammar.systems.size(); ++s) {
+        if (grammar.systems[s].letter == letter) return s;
+    }
+    return std::nullopt;
 }
 
 }  // namespace filigree::rewriting

@@ -177,4 +177,15 @@ Result<std::u32string> expanded(const Pattern& pattern, std::uint64_t most, cons
     return letters;
 }
 
+Result<std::u32string> put_text(const Pattern& text, const Document* document, const Scope& names, std::uint64_t most) {
+    Evaluation at;
+    at.document = document;
+    at.scope = &names;
+    return expanded(text, most, [&](const ExpressionPtr& count) -> Result<double> {
+        const Result<Value> value = evaluate(*count, at);
+        if (!value) return value.diagnostics();
+        return as_number(*value);
+    });
+}
+
 }  // namespace filigree::rewriting

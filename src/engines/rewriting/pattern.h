@@ -8,6 +8,7 @@
 
 #include "base/result.h"
 #include "engines/rewriting/grammar.h"
+#include "language/evaluate.h"
 
 namespace filigree::rewriting {
 
@@ -21,5 +22,8 @@ bool is_constant(const Pattern& pattern);
 // The letters with all repeats put; at most `most` of them, which is an error of Fault::limit.
 using CountOf = std::function<Result<double>(const ExpressionPtr& count)>;
 Result<std::u32string> expanded(const Pattern& pattern, std::uint64_t most, const CountOf& count_of);
+
+// The same with numbers that may use the names.
+Result<std::u32string> put_text(const Pattern& text, const Document* document, const Scope& names, std::uint64_t most);
 
 }  // namespace filigree::rewriting

@@ -334,9 +334,7 @@ private:
             if (inner == nullptr) continue;
             const std::u32string letters = letters_of(inner->name.text);
             if (letters.size() != 1) continue;
-            const bool is_known = std::any_of(grammar_.systems.begin() + 1, grammar_.systems.end(),
-                                              [&](const System& known) { return known.letter == letters[0]; });
-            if (is_known) {
+            if (find_system(grammar_, letters[0])) {
                 report(doubled("the system " + quoted(inner->name.text), inner->name.span));
                 continue;
             }
