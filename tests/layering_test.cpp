@@ -13,8 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 12> layers = {"base",     "plane",      "space",   "mesh",    "scene", "formats",
-                                                     "language", "derivation", "engines", "session", "study", "apps"};
+constexpr std::array<std::string_view, 13> layers = {"base",    "plane",   "curves",   "space",      "mesh",
+                                                     "scene",   "formats", "language", "derivation", "engines",
+                                                     "session", "study",   "apps"};
 
 std::size_t layer_of(const fs::path& path) {
     return static_cast<std::size_t>(std::find(layers.begin(), layers.end(), path.begin()->string()) - layers.begin());
@@ -59,8 +60,8 @@ std::string objection(const fs::path& source, const std::string& name) {
     if (is_engine && *target.begin() == "engines" && engine_of(target) != engine_of(source)) {
         return "engines never include each other";
     }
-    if (*source.begin() == "language" &&
-        (*target.begin() == "space" || *target.begin() == "mesh" || *target.begin() == "formats")) {
+    if (*source.begin() == "language" && (*target.begin() == "curves" || *target.begin() == "space" ||
+                                          *target.begin() == "mesh" || *target.begin() == "formats")) {
         return "of geometry, the language knows only the plane, and what is drawn";
     }
     return "";

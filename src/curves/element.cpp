@@ -1,0 +1,426 @@
+#include "curves/element.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "base/elementary.h"
+
+namespace filigree::curves {
+namespace {
+
+constexpr double turn = 2 * elementary::pi;
+
+double squared(Vec v) { return dot(v, v); }
+bool is_less(Vec a, Vec b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
+
+// The coefficients of a Bezier: at[0] t^3 + at[1] t^2 + at[2] t + at[3].
+std::array<Vec, 4> coefficients(const Element& e) {
+    const auto& b = e.at;
+    if (e.kind == ElementKind::cubic) {
+        return {b[3] - b[0] + 3 * (b[1] - b[2]), 3 * (b[0] - 2 * b[1] + b[2]), 3 * (b[1] - b[0]), b[0]};
+    }
+    if (e.kind == ElementKind::parabola) return {Vec{}, b[0] - 2 * b[1] + b[2], 2 * (b[1] - b[0]), b[0]};
+    return {Vec{}, Vec{}, b[1] - b[0], b[0]};
+}
+
+// The parameters inside (0, 1) where a x^2 + b x + c = 0.
+struct Roots {
+    std::array<double, 2> at{};
+    int count = 0;
+};
+Roots roots_inside(double a, double b, double c) {
+    Roots roots;
+    const auto take = [&](double t) {
+        if (t > 0 && t < 1) roots.at[static_cast<std::size_t>(roots.count++)] = t;
+    };
+    const double d = b * b - 4 * a * c;
+    if (d < 0) return roots;
+    const double q = -0.5 * (b + std::copysign(std::sqrt(d), b));
+    if (a != 0) take(q / a);
+    if (q != 0 && (a == 0 || roots.count == 0 || c / q != roots.at[0])) take(c / q);
+    return roots;
+}
+
+// The parameters inside (0, 1) where a Bezier is outermost along a direction.
+Roots turning_points(const std::array<Vec, 4>& k, Vec along) {
+    return roots_inside(3 * dot(k[0], along), 2 * dot(k[1], along), dot(k[2], along));
+}
+
+// The line between the outermost points of a Bezier along a direction.
+Element hull_line(const Element& e, Vec along) {
+    const auto k = coefficients(e);
+    Vec low = e.at[0], high = low;
+    const auto take = [&](Vec p) {
+        if (dot(p, along) < dot(low, along)) low = p;
+        if (dot(p, along) > dot(high, along)) high = p;
+    };
+    take(point_at(e, 1));
+    const Roots roots = turning_points(k, along);
+    for (int i = 0; i < roots.count; ++i) take(point_at(e, roots.at[static_cast<std::size_t>(i)]));
+    return line_element(low, high);
+}
+
+// How far the points of a Bezier's control polygon lie from a line through the first one.
+double breadth(const Element& e, Vec along) {
+    const std::size_t count = e.kind == ElementKind::cubic ? 4 : 3;
+    const double size = length(along);
+    double most = 0;
+    for (std::size_t i = 1; i < count; ++i) most = std::max(most, std::fabs(cross(along, e.at[i] - e.at[0])) / size);
+    return most;
+}
+
+// The direction from the first control point to another, or between the last ones, in which it is longest.
+Vec main_direction(const Element& e) {
+    const std::size_t count = e.kind == ElementKind::cubic ? 4 : 3;
+    Vec best;
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t j = i + 1; j < count; ++j) {
+            if (squared(e.at[j] - e.at[i]) > squared(best)) best = e.at[j] - e.at[i];
+        }
+    }
+    return best;
+}
+
+std::optional<Element> with_same_ink(Element made, const Element& of) {
+    made.layer = of.layer;
+    made.weight = of.weight;
+    return made;
+}
+
+Element directed(const Element& e) {
+    const auto [first, last] = ends_of(e);
+    if (is_less(last, first)) return reversed(e);
+    if (first == last && e.kind == ElementKind::cubic && is_less(e.at[2], e.at[1])) return reversed(e);
+    return e;
+}
+
+bool is_finite(const Element& e) {
+    for (const Vec p : e.at) {
+        if (!is_on_plane(p)) return false;
+    }
+    return std::isfinite(e.from) && std::isfinite(e.to) && std::isfinite(e.weight);
+}
+
+// Of a curve of which the control polygon is no broader than a line: nothing where it is a dot.
+std::optional<Element> straight_form(const Element& e, Vec along, double tolerance) {
+    const Element line = hull_line(e, along);
+    if (length(line.at[1] - line.at[0]) <= tolerance) return std::nullopt;
+    return with_same_ink(directed(line), e);
+}
+
+std::optional<Element> arc_form(const Element& e, double tolerance) {
+    const Vec middle = point_at(e, 0.5 * (e.from + e.to));
+    const auto [first, last] = ends_of(e);
+    const Vec chord = last - first;
+    // Of less than half a turn the middle is about the farthest from the chord.
+    if (e.to - e.from < elementary::pi && squared(chord) > 0 &&
+        std::fabs(cross(chord, middle - first)) <= tolerance * length(chord)) {
+        if (length(chord) <= tolerance) return std::nullopt;
+        return with_same_ink(directed(line_element(first, last)), e);
+    }
+    const double broad = length(e.at[1]), narrow = length(e.at[2]);
+    if (broad * std::min(e.to - e.from, 4.0) <= tolerance) return std::nullopt;
+    if (narrow > tolerance) return with_same_ink(arc_element(e.at[0], e.at[1], e.at[2], e.from, e.to), e);
+    // A flat ellipse: the part of its long axis that it covers.
+    double low = std::min(dot(first, e.at[1]), dot(last, e.at[1])),
+           high = std::max(dot(first, e.at[1]), dot(last, e.at[1]));
+    const double own = dot(e.at[0], e.at[1]), reach = squared(e.at[1]);
+    for (int half = -4; half <= 8; ++half) {
+        if (const double t = half * elementary::pi; t > e.from && t < e.to) {
+            (half % 2 == 0 ? high : low) = own + (half % 2 == 0 ? reach : -reach);
+        }
+    }
+    const Vec unit = e.at[1] * (1 / squared(e.at[1]));
+    const Element line = line_element(e.at[0] + unit * (low - own), e.at[0] + unit * (high - own));
+    if (length(line.at[1] - line.at[0]) <= tolerance) return std::nullopt;
+    return with_same_ink(directed(line), e);
+}
+
+}  // namespace
+
+Element point_element(Vec place) {
+    Element e;
+    e.kind = ElementKind::point;
+    e.at[0] = place;
+    return e;
+}
+
+Element line_element(Vec from, Vec to) {
+    Element e;
+    e.at = {from, to, Vec{}, Vec{}};
+    return e;
+}
+
+Element parabola_element(Vec b0, Vec b1, Vec b2) {
+    Element e;
+    e.kind = ElementKind::parabola;
+    e.at = {b0, b1, b2, Vec{}};
+    return e;
+}
+
+Element cubic_element(Vec b0, Vec b1, Vec b2, Vec b3) {
+    Element e;
+    e.kind = ElementKind::cubic;
+    e.at = {b0, b1, b2, b3};
+    return e;
+}
+
+Element arc_element(Vec centre, Vec u, Vec v, double from, double to) {
+    if (to < from) std::swap(from, to);
+    const double uu = squared(u), vv = squared(v), uv = dot(u, v);
+    const auto mirror_angles = [&] {
+        std::swap(from, to);
+        from = -from;
+        to = -to;
+    };
+    if (std::hypot(2 * uv, uu - vv) <= 1e-9 * (uu + vv)) {
+        const double radius = std::sqrt(0.5 * (uu + vv));
+        if (cross(u, v) < 0) mirror_angles();
+        const double at = elementary::atan2(u.y, u.x);
+        from += at;
+        to += at;
+        u = {radius, 0};
+        v = {0, radius};
+    } else {
+        const double shift = 0.5 * elementary::atan2(2 * uv, uu - vv);
+        const auto [cosine, sine] = elementary::cos_sin(shift);
+        const Vec longer = u * cosine + v * sine;
+        v = v * cosine - u * sine;
+        u = longer;
+        from -= shift;
+        to -= shift;
+        if (cross(u, v) < 0) {
+            v = -v;
+            mirror_angles();
+        }
+        if (is_less(u, Vec{})) {
+            u = -u;
+            v = -v;
+            from += elementary::pi;
+            to += elementary::pi;
+        }
+    }
+    const double sweep = std::min(to - from, turn);
+    if (sweep >= turn * (1 - 1e-15)) {
+        from = -elementary::pi;
+        to = elementary::pi;
+    } else {
+        from -= turn * std::floor((from + elementary::pi) / turn);
+        to = from + sweep;
+    }
+    Element e;
+    e.kind = ElementKind::arc;
+    e.at = {centre, u, v, Vec{}};
+    e.from = from;
+    e.to = to;
+    return e;
+}
+
+Element circle_element(Vec centre, double radius) {
+    return arc_element(centre, {radius, 0}, {0, radius}, -elementary::pi, elementary::pi);
+}
+
+bool is_circular(const Element& arc) {
+    const double uu = squared(arc.at[1]), vv = squared(arc.at[2]);
+    return std::fabs(uu - vv) <= 2e-9 * (uu + vv);
+}
+
+bool is_closed(const Element& e) { return e.kind == ElementKind::arc && e.to - e.from >= turn * (1 - 1e-15); }
+
+Vec point_at(const Element& e, double t) {
+    const auto& b = e.at;
+    switch (e.kind) {
+        case ElementKind::point:
+            return b[0];
+        case ElementKind::line:
+            return b[0] * (1 - t) + b[1] * t;
+        case ElementKind::parabola:
+            return b[0] * ((1 - t) * (1 - t)) + b[1] * (2 * t * (1 - t)) + b[2] * (t * t);
+        case ElementKind::cubic: {
+            const double s = 1 - t;
+            return b[0] * (s * s * s) + b[1] * (3 * s * s * t) + b[2] * (3 * s * t * t) + b[3] * (t * t * t);
+        }
+        case ElementKind::arc: {
+            const auto [cosine, sine] = elementary::cos_sin(t);
+            return b[0] + b[1] * cosine + b[2] * sine;
+        }
+    }
+    return {};
+}
+
+Vec velocity_at(const Element& e, double t) {
+    if (e.kind == ElementKind::point) return {};
+    if (e.kind == ElementKind::arc) {
+        const auto [cosine, sine] = elementary::cos_sin(t);
+        return e.at[2] * cosine - e.at[1] * sine;
+    }
+    const auto k = coefficients(e);
+    return k[0] * (3 * t * t) + k[1] * (2 * t) + k[2];
+}
+
+std::pair<Vec, Vec> ends_of(const Element& e) {
+    switch (e.kind) {
+        case ElementKind::point:
+            return {e.at[0], e.at[0]};
+        case ElementKind::line:
+            return {e.at[0], e.at[1]};
+        case ElementKind::parabola:
+            return {e.at[0], e.at[2]};
+        case ElementKind::cubic:
+            return {e.at[0], e.at[3]};
+        case ElementKind::arc:
+            return {point_at(e, e.from), point_at(e, e.to)};
+    }
+    return {};
+}
+
+double length_of(const Element& e) {
+    if (e.kind == ElementKind::point) return 0;
+    if (e.kind == ElementKind::line) return length(e.at[1] - e.at[0]);
+    const Interval on = interval_of(e);
+    if (e.kind == ElementKind::arc && is_circular(e)) return length(e.at[1]) * (on.to - on.from);
+    // Gauss's rule of five points on eight parts.
+    constexpr int parts = 8;
+    constexpr std::array<double, 5> places = {0, -0.5384693101056831, 0.5384693101056831, -0.9061798459386640,
+                                              0.9061798459386640};
+    constexpr std::array<double, 5> weights = {0.5688888888888889, 0.4786286704993665, 0.4786286704993665,
+                                               0.2369268850561891, 0.2369268850561891};
+    const double half = 0.5 * (on.to - on.from) / parts;
+    double sum = 0;
+    for (int part = 0; part < parts; ++part) {
+        const double middle = on.from + half * (2 * part + 1);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            sum += weights[i] * length(velocity_at(e, middle + half * places[i]));
+        }
+    }
+    return sum * half;
+}
+
+void extend(Bounds& bounds, Vec p) {
+    bounds.min = {std::min(bounds.min.x, p.x), std::min(bounds.min.y, p.y)};
+    bounds.max = {std::max(bounds.max.x, p.x), std::max(bounds.max.y, p.y)};
+}
+
+Bounds bounds_of(const Element& e) {
+    Bounds bounds;
+    const auto [first, last] = ends_of(e);
+    extend(bounds, first);
+    extend(bounds, last);
+    if (e.kind == ElementKind::parabola || e.kind == ElementKind::cubic) {
+        const auto k = coefficients(e);
+        for (const Vec along : {Vec{1, 0}, Vec{0, 1}}) {
+            const Roots roots = turning_points(k, along);
+            for (int i = 0; i < roots.count; ++i) extend(bounds, point_at(e, roots.at[static_cast<std::size_t>(i)]));
+        }
+    }
+    if (e.kind == ElementKind::arc) {
+        // Outermost in x where v.x / u.x is the tangent of the angle, and half a turn on; in y likewise.
+        for (const double outermost :
+             {elementary::atan2(e.at[2].x, e.at[1].x), elementary::atan2(e.at[2].y, e.at[1].y)}) {
+            for (int half = -3; half <= 5; ++half) {
+                if (const double t = outermost + half * elementary::pi; t > e.from && t < e.to) {
+                    extend(bounds, point_at(e, t));
+                }
+            }
+        }
+    }
+    return bounds;
+}
+
+Element piece_of(const Element& e, Interval on) {
+    const auto [u, v] = on;
+    const auto& b = e.at;
+    Element piece = e;
+    switch (e.kind) {
+        case ElementKind::point:
+            break;
+        case ElementKind::line:
+            piece.at[0] = point_at(e, u);
+            piece.at[1] = point_at(e, v);
+            break;
+        case ElementKind::parabola:
+            piece.at[0] = point_at(e, u);
+            piece.at[1] = b[0] * ((1 - u) * (1 - v)) + b[1] * (u * (1 - v) + v * (1 - u)) + b[2] * (u * v);
+            piece.at[2] = point_at(e, v);
+            break;
+        case ElementKind::cubic: {
+            // The blossom of the cubic at three parameters, the control points at u, u, v and u, v, v.
+            const auto blossom = [&](double r, double s, double t) {
+                const auto mix = [](Vec p, Vec q, double at) { return p * (1 - at) + q * at; };
+                const Vec p = mix(b[0], b[1], r), q = mix(b[1], b[2], r), w = mix(b[2], b[3], r);
+                return mix(mix(p, q, s), mix(q, w, s), t);
+            };
+            piece.at = {point_at(e, u), blossom(u, u, v), blossom(u, v, v), point_at(e, v)};
+            break;
+        }
+        case ElementKind::arc:
+            piece.from = std::min(u, v);
+            piece.to = std::max(u, v);
+            return *with_same_ink(arc_element(b[0], b[1], b[2], u, v), e);
+    }
+    return piece;
+}
+
+Element transformed(const Element& e, const Transform& by) {
+    Element moved = e;
+    if (e.kind == ElementKind::arc) {
+        const auto turned = [&](Vec v) { return Vec{by.a * v.x + by.c * v.y, by.b * v.x + by.d * v.y}; };
+        return *with_same_ink(arc_element(apply(by, e.at[0]), turned(e.at[1]), turned(e.at[2]), e.from, e.to), e);
+    }
+    const std::size_t count = e.kind == ElementKind::point      ? 1
+                              : e.kind == ElementKind::line     ? 2
+                              : e.kind == ElementKind::parabola ? 3
+                                                                : 4;
+    for (std::size_t i = 0; i < count; ++i) moved.at[i] = apply(by, e.at[i]);
+    return moved;
+}
+
+Element reversed(const Element& e) {
+    Element back = e;
+    if (e.kind == ElementKind::line) std::swap(back.at[0], back.at[1]);
+    if (e.kind == ElementKind::parabola) std::swap(back.at[0], back.at[2]);
+    if (e.kind == ElementKind::cubic) std::reverse(back.at.begin(), back.at.end());
+    return back;
+}
+
+std::optional<Element> normal_form(const Element& e, double tolerance) {
+    if (!is_finite(e)) return std::nullopt;
+    switch (e.kind) {
+        case ElementKind::point:
+            return e;
+        case ElementKind::line:
+            if (length(e.at[1] - e.at[0]) <= tolerance) return std::nullopt;
+            return directed(e);
+        case ElementKind::arc:
+            return arc_form(e, tolerance);
+        case ElementKind::cubic: {
+            // A curve departs from the parabola with its ends and its middle's tangent by |a| sqrt(3) / 36.
+            const auto k = coefficients(e);
+            if (length(k[0]) * 0.04811252243246881 <= tolerance) {
+                const Vec middle = (3 * (e.at[1] + e.at[2]) - e.at[0] - e.at[3]) * 0.25;
+                return normal_form(*with_same_ink(parabola_element(e.at[0], middle, e.at[3]), e), tolerance);
+            }
+            [[fallthrough]];
+        }
+        case ElementKind::parabola: {
+            const Vec along = main_direction(e);
+            if (squared(along) == 0) return std::nullopt;
+            // The curve keeps within half (of a cubic: three quarters) of its control polygon's breadth.
+            const double share = e.kind == ElementKind::parabola ? 0.5 : 0.75;
+            if (share * breadth(e, along) <= tolerance) return straight_form(e, along, tolerance);
+            return directed(e);
+        }
+    }
+    return std::nullopt;
+}
+
+bool comes_before(const Element& a, const Element& b) {
+    const auto key = [](const Element& e) {
+        return std::tuple(e.kind, e.layer, e.at[0].x, e.at[0].y, e.at[1].x, e.at[1].y, e.at[2].x, e.at[2].y, e.at[3].x,
+                          e.at[3].y, e.from, e.to, e.weight);
+    };
+    return key(a) < key(b);
+}
+
+}  // namespace filigree::curves
