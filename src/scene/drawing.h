@@ -13,6 +13,7 @@
 
 #include "base/colour.h"
 #include "base/random.h"
+#include "plane/path.h"
 #include "plane/polygon.h"
 
 namespace filigree {
@@ -35,11 +36,17 @@ inline bool has_stroke(const Style& style) {
 }
 
 struct DrawnShape {
+    static constexpr std::uint32_t no_curve = UINT32_MAX;
+
     std::uint32_t geometry = 0;  // index into Drawing::geometry
     std::uint32_t polygon = 0;   // index into that
     std::uint32_t style = 0;     // index into Drawing::styles
     Key key;                     // names the shape in exported files
+    // Index into Drawing::curves: what the polygon was flattened from, and what files draw in its place. Who moves or
+    // cuts the polygon does the same to the curve, or drops it.
+    std::uint32_t curve = no_curve;
 };
+inline bool has_curve(const DrawnShape& shape) { return shape.curve != DrawnShape::no_curve; }
 
 struct DrawingGroup {
     std::string path;                                  // "big_poly/outline/in": what made it, for people
@@ -63,6 +70,8 @@ struct Drawing {
     std::vector<std::shared_ptr<const Polygons>> geometry;
     std::vector<Style> styles;
     std::vector<DrawnShape> shapes;
+    // Subpaths begin with a move, and those of filled shapes close and cross nowhere. All points lie on the plane.
+    std::vector<Path> curves;
     std::vector<DrawingGroup> groups;  // [0] is the root; a child stands after its parent
 };
 
