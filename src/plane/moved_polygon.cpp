@@ -45,4 +45,18 @@ bool add_moved(Polygons& to, PolygonView moved, bool is_reflected) {
     return true;
 }
 
+bool add_moved_line(Polygons& to, RingView moved) {
+    const std::size_t first = to.points.size();
+    for (const Point p : moved) {
+        if (to.points.size() == first || to.points.back() != p) to.points.push_back(p);
+    }
+    if (to.points.size() < first + 2) {
+        to.points.resize(first);
+        return false;
+    }
+    to.end_ring();
+    to.end_polygon();
+    return true;
+}
+
 }  // namespace filigree

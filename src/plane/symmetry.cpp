@@ -152,7 +152,8 @@ Polygons domain_of(const Symmetry& symmetry, double radius, double tolerance) {
     return domain;
 }
 
-SymmetryImages::SymmetryImages(const Symmetry& symmetry, const Polygons& motif) : symmetry_(symmetry), motif_(motif) {
+SymmetryImages::SymmetryImages(const Symmetry& symmetry, const Polygons& motif, std::vector<bool> is_line)
+    : symmetry_(symmetry), motif_(motif), is_line_(std::move(is_line)) {
     for (std::size_t i = 0; i < motif.points.size(); ++i) {
         std::vector<Copy> here = symmetry.copies_here(motif.points[i]);
         if (!here.empty()) at_mirrors_.push_back({i, std::move(here)});
@@ -173,7 +174,10 @@ Polygons SymmetryImages::under(std::uint32_t operation) const {
     for (std::size_t i = 0; i < moved.size(); ++i) {
         const Box box = bounds(moved[i]);
         const bool is_kept = !is_empty(box) && is_on_plane(box.min) && is_on_plane(box.max);
-        if (!is_kept || !add_moved(images, moved[i], is_reflected)) images.end_polygon();
+        const bool is_line = !is_line_.empty() && is_line_[i];
+        const bool is_added =
+            is_kept && (is_line ? add_moved_line(images, moved[i].outer()) : add_moved(images, moved[i], is_reflected));
+        if (!is_added) images.end_polygon();
     }
     return images;
 }

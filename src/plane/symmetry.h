@@ -58,8 +58,9 @@ Polygons domain_of(const Symmetry& symmetry, double radius, double tolerance);
 // The images of polygons under a group's operations.
 class SymmetryImages {
 public:
-    // Both must outlive the images.
-    SymmetryImages(const Symmetry& symmetry, const Polygons& motif);
+    // Symmetry and motif must outlive the images. `is_line` says of each polygon whether it is an open line, of one
+    // ring; where it is empty none is.
+    SymmetryImages(const Symmetry& symmetry, const Polygons& motif, std::vector<bool> is_line = {});
 
     // Polygon by polygon; one that collapses or leaves the plane is there without rings.
     Polygons under(std::uint32_t operation) const;
@@ -72,6 +73,7 @@ private:
 
     const Symmetry& symmetry_;
     const Polygons& motif_;
+    const std::vector<bool> is_line_;
     std::vector<AtMirror> at_mirrors_;
 };
 

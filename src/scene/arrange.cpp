@@ -95,23 +95,8 @@ private:
     EdgeTree tree_;
 };
 
-// An open line, without the places that become equal on the grid.
-Polygons mapped_line(RingView line, const Transform& by) {
-    Polygons moved;
-    for (const Point from : line) {
-        const Vec to = apply(by, to_px(from));
-        if (!is_on_plane(to)) return {};
-        const Point place = snap(to);
-        if (moved.points.empty() || moved.points.back() != place) moved.points.push_back(place);
-    }
-    if (moved.points.size() < 2) return {};
-    moved.end_ring();
-    moved.end_polygon();
-    return moved;
-}
-
 // Nothing where it leaves the plane or collapses on the grid.
-Polygons mapped(PolygonView polygon, const Transform& by) {
+Polygons mapped(PolygonView polygon, const Transform& by, bool is_open) {
     Polygons moved;
     for (std::size_t r = 0; r < polygon.ring_count(); ++r) {
         bool is_whole = true;
@@ -127,7 +112,11 @@ Polygons mapped(PolygonView polygon, const Transform& by) {
     }
     moved.end_polygon();
     Polygons result;
-    add_moved(result, moved[0], determinant(by) < 0);
+    if (is_open) {
+        add_moved_line(result, moved[0].outer());
+    } else {
+        add_moved(result, moved[0], determinant(by) < 0);
+    }
     return result;
 }
 
@@ -219,9 +208,7 @@ private:
     Pieces placed(std::uint32_t geometry, std::uint32_t polygon, bool is_open) {
         const PolygonView view = (*from_.geometry[geometry])[polygon];
         if (view.ring_count() == 0) return {};
-        const Polygons moved = keeps_geometry_ ? Polygons{}
-                               : is_open       ? mapped_line(view.outer(), placement_.transform)
-                                               : mapped(view, placement_.transform);
+        const Polygons moved = keeps_geometry_ ? Polygons{} : mapped(view, placement_.transform, is_open);
         if (!keeps_geometry_ && moved.empty()) return {};
         const PolygonView here = keeps_geometry_ ? view : moved[0];
         const Clip::Side side = clip_ ? clip_->side_of(here) : Clip::Side::inside;

@@ -67,8 +67,9 @@ struct Gathered {
     Drawing drawing;  // without geometry: its shapes are those of the motif
     Polygons polygons;
 };
+    std::vector<bool> is_line;  // of each
 Gathered gather(const Drawing& motif) {
-    Gathered all{motif, {}};
+    Gathered all{motif, {}, {}};
     all.drawing.geometry.assign(1, nullptr);
     std::vector<std::vector<std::uint32_t>> places(motif.geometry.size());
     for (DrawnShape& shape : all.drawing.shapes) {
@@ -79,6 +80,7 @@ Gathered gather(const Drawing& motif) {
             place[shape.polygon] = static_cast<std::uint32_t>(all.polygons.size());
             all.polygons.add(from[shape.polygon]);
         }
+            all.is_line.push_back(motif.styles[shape.style].is_open);
         shape.polygon = place[shape.polygon];
         shape.geometry = 0;
     }
@@ -124,7 +126,7 @@ public:
         result_.canvas = options_.canvas;
         result_.groups.emplace_back();
         if (is_empty(seen_)) return std::move(result_);
-        const SymmetryImages images(symmetry_, gathered_.polygons);
+        const SymmetryImages images(symmetry_, gathered_.polygons, gathered_.is_line);
         for (std::uint32_t k = 0; k < symmetry_.operation_count() && !problem_; ++k) place_all(images.under(k), k);
         if (problem_) return *problem_;
         return std::move(result_);
