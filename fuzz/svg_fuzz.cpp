@@ -62,11 +62,12 @@ void check_path(const Path& path, FillRule rule) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
 
-    const Result<SvgPicture> picture = read_svg(text);
+    const Result<SvgPicture> picture = read_svg(text, 0, SvgPurpose::drawing);
     check_diagnostics(picture.diagnostics(), size);
     require(static_cast<bool>(picture) || has_errors(picture.diagnostics()));
     if (picture) {
         require(picture->size.x > 0 && picture->size.y > 0);
+        for (const SvgLabel& label : picture->labels) require(!label.text.empty() && is_on_plane(label.place));
         std::size_t checked = 0;
         for (const SvgShape& shape : picture->shapes) {
             if (++checked > 20) break;

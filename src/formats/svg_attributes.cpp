@@ -22,19 +22,31 @@ void SvgAttributes::refuse(const char* name, std::string code, std::string_view 
                                  span(name)));
 }
 
+double SvgAttributes::in_px(SvgLength length, Axis axis) const {
+    if (!length.is_percentage) return length.value;
+    const double whole = axis == Axis::x   ? viewport_.x
+                         : axis == Axis::y ? viewport_.y
+                                           : std::sqrt((viewport_.x * viewport_.x + viewport_.y * viewport_.y) / 2);
+    return length.value / 100 * whole;
+}
+
 std::optional<double> SvgAttributes::length(const char* name, Axis axis) {
-    const std::string_view said = trimmed(text(name));
+    return length_said(name, trimmed(text(name)), axis);
+}
+
+std::optional<double> SvgAttributes::first_length(const char* name, Axis axis) {
+    const std::string_view all = trimmed(text(name));
+    return length_said(name, all.substr(0, all.find_first_of(" \t\n\r\f,")), axis);
+}
+
+std::optional<double> SvgAttributes::length_said(const char* name, std::string_view said, Axis axis) {
     if (said.empty() || said == "auto") return std::nullopt;
     const std::optional<SvgLength> length = parse_length(said);
     if (!length) {
         refuse(name, "svg.bad-length", "is no length: '" + std::string(said.substr(0, 40)) + "'");
         return std::nullopt;
     }
-    if (!length->is_percentage) return length->value;
-    const double whole = axis == Axis::x   ? viewport_.x
-                         : axis == Axis::y ? viewport_.y
-                                           : std::sqrt((viewport_.x * viewport_.x + viewport_.y * viewport_.y) / 2);
-    return length->value / 100 * whole;
+    return in_px(*length, axis);
 }
 
 std::optional<double> SvgAttributes::size(const char* name, Axis axis) {

@@ -23,12 +23,15 @@ public:
 
     pugi::xml_node element() const { return element_; }
     Vec viewport() const { return viewport_; }
+    double in_px(SvgLength length, Axis axis) const;
     bool has(const char* name) const { return !element_.attribute(name).empty(); }
     std::string_view text(const char* name) const { return element_.attribute(name).value(); }
 
     // px. None where the attribute is missing or `auto`, and, with a diagnostic, where it is no length.
     std::optional<double> length(const char* name, Axis axis);
     double length_or(const char* name, Axis axis, double otherwise) { return length(name, axis).value_or(otherwise); }
+    // The first of a list of lengths, as texts have them; else as `length`.
+    std::optional<double> first_length(const char* name, Axis axis);
     // A length that may not be below 0.
     std::optional<double> size(const char* name, Axis axis);
     std::vector<double> numbers(const char* name);  // empty, with a diagnostic, where it is no list of numbers
@@ -43,6 +46,8 @@ public:
     Diagnostics take_diagnostics() { return std::move(diagnostics_); }
 
 private:
+    std::optional<double> length_said(const char* name, std::string_view said, Axis axis);
+
     const Xml& xml_;
     pugi::xml_node element_;
     Vec viewport_;

@@ -35,6 +35,10 @@ bool is_text(std::string_view name) {
     return is_one_of(name, {"text", "tspan", "textPath", "tref", "flowRoot", "altGlyph"});
 }
 
+bool is_layer(pugi::xml_node element) {
+    return std::string_view(element.attribute("inkscape:groupmode").value()) == "layer";
+}
+
 bool is_foreign_content(std::string_view name) {
     return is_one_of(name, {"image", "foreignObject", "video", "audio", "iframe", "canvas"});
 }
@@ -65,9 +69,8 @@ std::string_view reference_of(pugi::xml_node element) {
 
 std::vector<std::string> names_of_group(pugi::xml_node element) {
     const std::string id = element.attribute("id").value(), label = element.attribute("inkscape:label").value();
-    const bool is_layer = std::string_view(element.attribute("inkscape:groupmode").value()) == "layer";
     std::vector<std::string> names;
-    if (!label.empty() && (is_layer || id.empty())) names.push_back(label);
+    if (!label.empty() && (is_layer(element) || id.empty())) names.push_back(label);
     if (!id.empty() && id != label) names.push_back(id);
     return names;
 }

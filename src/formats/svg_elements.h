@@ -18,6 +18,7 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
 bool is_container(std::string_view local_name);  // g, a
 bool is_passive(std::string_view local_name);    // never drawn where it stands, and nothing to warn of
 bool is_text(std::string_view local_name);
+bool is_layer(pugi::xml_node element);                 // of Inkscape
 bool is_foreign_content(std::string_view local_name);  // pictures, films, other languages
 
 // Whether requiredExtensions and systemLanguage let the element be drawn; English is what is read.

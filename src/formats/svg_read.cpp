@@ -11,6 +11,7 @@
 #include "formats/svg_notes.h"
 #include "formats/svg_shapes.h"
 #include "formats/svg_style.h"
+#include "formats/svg_text.h"
 #include "formats/svg_viewport.h"
 #include "formats/xml.h"
 
@@ -76,7 +77,7 @@ struct Context {
 
 class SvgReader {
 public:
-    explicit SvgReader(const Xml& xml) : xml_(xml) {}
+    SvgReader(const Xml& xml, SvgPurpose purpose) : xml_(xml), purpose_(purpose) {}
 
     Result<SvgPicture> read() && {
         const pugi::xml_node root = xml_.root();
@@ -89,10 +90,8 @@ public:
         const Context context = root_context(root);
         if (!is_stopped()) visit_children(root, context);
         if (has_errors(errors_)) return std::move(errors_);
-        for (const std::string& left_out : sheets_.left_out()) {
-            notes_.note("svg.style-left-out", "this part of a style sheet is left out: '" + left_out + "'",
-                        sheet_span_);
-        }
+        note_sheets(sheets_.left_out());
+        if (purpose_ == SvgPurpose::drawing) note_sheets(sheets_.strokes_left_out());
         return Result<SvgPicture>(std::move(picture_), notes_.warnings());
     }
 
@@ -229,6 +228,8 @@ private:
         } else if (name == "use") {
             note_effects(element, said);
             visit_use(element, context);
+        } else if (name == "text" && purpose_ == SvgPurpose::drawing) {
+            add_label(element, context);
         } else {
             note_left_out(element, name);
         }
@@ -240,23 +241,40 @@ private:
         return !take_errors(attributes);
     }
 
+    // Where what is read stands.
+    struct Around {
+        std::size_t name_count = 0;
+        std::optional<std::size_t> group;
+    };
+    // What is read until `leave_group`, which wants the answer, stands in this group, too.
+    Around enter_group(pugi::xml_node group) {
+        const Around before{groups_.size(), group_};
+        for (std::string& name : names_of_group(group)) groups_.push_back(std::move(name));
+        picture_.groups.push_back({group.attribute("id").value(), group.attribute("inkscape:label").value(),
+                                   is_layer(group), group_, xml_.span_of(group)});
+        group_ = picture_.groups.size() - 1;
+        return before;
+    }
+    void leave_group(const Around& before) {
+        groups_.resize(before.name_count);
+        group_ = before.group;
+    }
+
     // The children of `content` within a group that is called as `named` is.
     void visit_group(pugi::xml_node named, pugi::xml_node content, const Context& context) {
-        const std::size_t before = groups_.size();
-        for (std::string& name : names_of_group(named)) groups_.push_back(std::move(name));
+        const Around before = enter_group(named);
         visit_children(content, context);
-        groups_.resize(before);
+        leave_group(before);
     }
 
     void visit_switch(pugi::xml_node element, const Context& context) {
-        const std::size_t before = groups_.size();
-        for (std::string& name : names_of_group(element)) groups_.push_back(std::move(name));
+        const Around before = enter_group(element);
         for (const pugi::xml_node child : element.children()) {
             if (child.type() != pugi::node_element || !meets_conditions(child)) continue;
             visit(child, context);
             break;
         }
-        groups_.resize(before);
+        leave_group(before);
     }
 
     void visit_use(pugi::xml_node use, Context context) {
@@ -285,8 +303,7 @@ private:
         context.transform = compose(context.transform, compose(attributes.transform(), translation(at)));
         if (take_errors(attributes)) return;
 
-        const std::size_t before = groups_.size();
-        for (std::string& name : names_of_group(use)) groups_.push_back(std::move(name));
+        const Around before = enter_group(use);
         use_targets_.push_back(target);
         if (const std::string_view name = local_name(target.name()); name == "symbol" || name == "svg") {
             visit_used_viewport(target, context, width, height);
@@ -294,7 +311,7 @@ private:
             visit(target, context);
         }
         use_targets_.pop_back();
-        groups_.resize(before);
+        leave_group(before);
     }
 
     void visit_used_viewport(pugi::xml_node target, Context context, std::optional<double> width,
@@ -319,28 +336,69 @@ private:
         if (is_finite(transform) && determinant(transform) == 0) return;  // SVG draws nothing then
         SvgShape shape;
         if (is_finite(transform)) shape.path = transform == Transform{} ? path : transformed(path, transform);
-        if (!is_finite(transform) || !is_on_plane(shape.path)) {
-            return refuse(element, "svg.out-of-range",
-                          described(element) + " leaves the plane: coordinates go up to 2^30 px");
-        }
+        if (!is_finite(transform) || !is_on_plane(shape.path)) return refuse_place(element);
         point_count_ += shape.path.points.size();
-        for (const std::string& name : groups_) name_bytes_ += sizeof(std::string) + name.size();
-        if (point_count_ > most_points || name_bytes_ > most_name_bytes) {
-            return stop("svg.too-large", "the shapes have more than 50,000,000 points or too long names",
-                        xml_.span_of(element));
-        }
-        shape.id = element.attribute("id").value();
-        shape.groups = groups_;
+        if (!take_names(shape, element)) return;
         shape.fill_rule = context.paint.fill_rule;
         shape.filled = context.paint.filled && local_name(element.name()) != "line";
+        const double stroke_width =
+            attributes.in_px(context.paint.stroke_width, Axis::both) * std::sqrt(std::fabs(determinant(transform)));
+        if (context.paint.stroke && stroke_width > 0 && std::isfinite(stroke_width)) {
+            shape.stroke = context.paint.stroke;
+            shape.stroke_width = stroke_width;
+        }
         picture_.shapes.push_back(std::move(shape));
+    }
+
+    void add_label(pugi::xml_node element, const Context& context) {
+        if (!context.paint.visible) return;
+        SvgText text = read_text(element);
+        element_count_ += text.element_count;
+        if (!use_targets_.empty() && !charge(element, text.byte_count)) return;
+        SvgAttributes own(xml_, element, context.viewport), x(xml_, text.placed_x, context.viewport),
+            y(xml_, text.placed_y, context.viewport);
+        const Vec place{x.first_length("x", Axis::x).value_or(0), y.first_length("y", Axis::y).value_or(0)};
+        SvgLabel label;
+        label.place = apply(compose(context.transform, own.transform()), place);
+        bool is_wrong = false;
+        for (SvgAttributes* const attributes : {&own, &x, &y}) is_wrong = take_errors(*attributes) || is_wrong;
+        if (is_wrong || text.content.empty()) return;
+        if (!is_on_plane(label.place)) return refuse_place(element);
+        if (!take_names(label, element)) return;
+        label.text = std::move(text.content);
+        picture_.labels.push_back(std::move(label));
+    }
+
+    // Says what a shape or a label is called and where it stands; false where there has become too much of it all.
+    template <class Named>
+    bool take_names(Named& named, pugi::xml_node element) {
+        for (const std::string& name : groups_) name_bytes_ += sizeof(std::string) + name.size();
+        if (point_count_ > most_points || name_bytes_ > most_name_bytes) {
+            stop("svg.too-large", "the shapes have more than 50,000,000 points or too long names",
+                 xml_.span_of(element));
+            return false;
+        }
+        named.id = element.attribute("id").value();
+        named.label = element.attribute("inkscape:label").value();
+        named.groups = groups_;
+        named.group = group_;
+        return true;
+    }
+
+    void refuse_place(pugi::xml_node element) {
+        refuse(element, "svg.out-of-range", described(element) + " leaves the plane: coordinates go up to 2^30 px");
     }
 
     // What an element seen again through `use` costs; false where it has become too much.
     bool charge_attributes(pugi::xml_node element) {
+        std::size_t bytes = 0;
         for (const pugi::xml_attribute attribute : element.attributes()) {
-            repeated_bytes_ += 1 + std::string_view(attribute.value()).size();
+            bytes += 1 + std::string_view(attribute.value()).size();
         }
+        return charge(element, bytes);
+    }
+    bool charge(pugi::xml_node element, std::size_t bytes) {
+        repeated_bytes_ += bytes;
         if (repeated_bytes_ <= most_repeated_bytes) return true;
         stop("svg.too-large", "the elements that 'use' shows again are too large", xml_.span_of(element));
         return false;
@@ -370,6 +428,12 @@ private:
         }
     }
 
+    void note_sheets(const std::vector<std::string>& left_out) {
+        for (const std::string& one : left_out) {
+            notes_.note("svg.style-left-out", "this part of a style sheet is left out: '" + one + "'", sheet_span_);
+        }
+    }
+
     void note_left_out(pugi::xml_node element, std::string_view name) {
         if (is_text(name)) {
             note(element, "svg.text-left-out", "text is left out",
@@ -383,6 +447,7 @@ private:
     }
 
     const Xml& xml_;
+    const SvgPurpose purpose_;
     CssSheets sheets_;
     SourceSpan sheet_span_;  // of the first sheet
     std::unordered_map<std::string_view, pugi::xml_node> by_id_;
@@ -393,16 +458,17 @@ private:
     SvgNotes notes_;
     bool is_stopped_ = false;
     std::size_t element_count_ = 0, point_count_ = 0, repeated_bytes_ = 0, name_bytes_ = 0;
-    std::vector<std::string> groups_;          // around the element that is being read
+    std::vector<std::string> groups_;          // around the element that is being read, by name
+    std::optional<std::size_t> group_;         // the innermost of them
     std::vector<pugi::xml_node> use_targets_;  // that are being shown
 };
 
 }  // namespace
 
-Result<SvgPicture> read_svg(std::string_view svg, std::uint32_t file) {
+Result<SvgPicture> read_svg(std::string_view svg, std::uint32_t file, SvgPurpose purpose) {
     const Result<std::unique_ptr<Xml>> xml = parse_xml(svg, file);
     if (!xml) return xml.diagnostics();
-    return SvgReader(**xml).read();
+    return SvgReader(**xml, purpose).read();
 }
 
 }  // namespace filigree

@@ -267,6 +267,113 @@ TEST(SvgRead, NamesOfGroups) {
               "a/u/d/r");
 }
 
+TEST(SvgRead, TheTreeOfGroups) {
+    const std::string text =
+        svg("<g id='layer1' inkscape:groupmode='layer' inkscape:label='rules'><g id='g5' inkscape:label='slide'>"
+            "<g inkscape:label='left'><rect id='r' inkscape:label='box' width='1' height='1'/></g><g/></g></g>"
+            "<use id='u' href='#r'/><g display='none'/><circle r='1'/>");
+    const Result<SvgPicture> picture = read_svg(text, 3);
+    ASSERT_TRUE(picture);
+    std::string tree;
+    for (const SvgGroup& group : picture->groups) {
+        tree += (group.is_layer ? "layer " : "") + group.id + "/" + group.label + " in " +
+                (group.parent ? std::to_string(*group.parent) : "none") + ", ";
+        EXPECT_EQ(text.substr(group.span.begin - 1, 2), group.id == "u" ? "<u" : "<g");
+        EXPECT_EQ(group.span.file, 3U);
+    }
+    EXPECT_EQ(tree, "layer layer1/rules in none, g5/slide in 0, /left in 1, / in 1, u/ in none, ");
+    ASSERT_EQ(picture->shapes.size(), 3U);
+    EXPECT_EQ(picture->shapes[0].label, "box");
+    EXPECT_EQ(picture->shapes[0].group, 2U);
+    EXPECT_EQ(picture->shapes[1].group, 4U);
+    EXPECT_EQ(picture->shapes[2].group, std::nullopt);
+}
+
+TEST(SvgRead, Strokes) {
+    const auto stroke_of = [](const std::string& inside, const std::string& attributes = "width='300' height='400'") {
+        const SvgPicture picture = picture_of(svg(inside, attributes));
+        const SvgShape& shape = picture.shapes.at(0);
+        std::string text = shape.stroke ? to_text(*shape.stroke) + " " : "none ";
+        append_fixed(text, shape.stroke_width, 3);
+        return text;
+    };
+    const std::string path = "<path d='M0 0H5'/>";
+    EXPECT_EQ(stroke_of(path), "none 0");
+    EXPECT_EQ(stroke_of("<path d='M0 0H5' stroke='red'/>"), "#ff0000 1");
+    EXPECT_EQ(stroke_of("<path d='M0 0H5' stroke='#12345680' stroke-width='2mm'/>"), "#12345680 7.559");
+    EXPECT_EQ(stroke_of("<path d='M0 0H5' style='stroke-width:0.5;stroke:#00ff00;stroke-opacity:0.1'/>"),
+              "#00ff00 0.5");
+    EXPECT_EQ(stroke_of("<style>.a{stroke:blue;stroke-width:3}</style><g class='a'>" + path + "</g>"), "#0000ff 3");
+    EXPECT_EQ(stroke_of("<g stroke='red' stroke-width='5'><path d='M0 0H5' stroke-width='0'/></g>"), "none 0");
+    EXPECT_EQ(stroke_of("<g stroke='red' stroke-width='5'><path d='M0 0H5' stroke='none'/></g>"), "none 0");
+    EXPECT_EQ(stroke_of("<path d='M0 0H5' stroke='url(#gradient)'/>"), "#000000 1");
+    EXPECT_EQ(stroke_of("<g color='teal'><path d='M0 0H5' stroke='currentColor'/></g>"), "#008080 1");
+    // Percentages are of the viewport's diagonal, transforms count by what they do to areas.
+    EXPECT_EQ(stroke_of("<path d='M0 0H5' stroke='red' stroke-width='10%'/>"), "#ff0000 35.355");
+    EXPECT_EQ(stroke_of("<g transform='scale(2,8)' stroke='red'><path d='M0 0H5' transform='rotate(30)'/></g>"),
+              "#ff0000 4");
+    EXPECT_EQ(stroke_of("<g transform='scale(1e9)'><path d='M0 0' stroke='red' stroke-width='1e300'/></g>"), "none 0");
+    EXPECT_EQ(stroke_of("<g transform='scale(-3,3)' stroke='red'>" + path + "</g>"), "#ff0000 3");
+    EXPECT_EQ(stroke_of("<path d='M0 0H5' stroke='red'/>", "width='100mm' height='100mm' viewBox='0 0 100 100'"),
+              "#ff0000 3.78");
+}
+
+// The labels of a text: "groups/id 'text' x y".
+std::string labels_of(const std::string& text) {
+    const Result<SvgPicture> picture = read_svg(text, 0, SvgPurpose::drawing);
+    if (!picture) return picture.diagnostics()[0].code;
+    std::string all;
+    for (const SvgLabel& label : picture->labels) {
+        if (!all.empty()) all += ", ";
+        for (const std::string& group : label.groups) all += group + "/";
+        all += label.id + " '" + label.text + "' " + to_text(label.place.x) + " " + to_text(label.place.y);
+    }
+    for (const Diagnostic& diagnostic : picture.diagnostics()) all += "; " + diagnostic.code;
+    return all;
+}
+
+TEST(SvgRead, Labels) {
+    EXPECT_EQ(labels_of(svg("<text x='3' y='4'>a</text>")), " 'a' 3 4");
+    EXPECT_EQ(labels_of(svg("<text id='t'> \n two  \t words </text>")), "t 'two words' 0 0");
+    EXPECT_EQ(labels_of(svg("<g id='g' transform='translate(10,20)'><text id='t' x='3' y='4' "
+                            "transform='scale(2)'>a</text></g>")),
+              "g/t 'a' 16 28");
+    // As Inkscape writes them.
+    EXPECT_EQ(
+        labels_of(svg("<text xml:space='preserve' style='font-size:4px' x='1' y='2' id='text1'>"
+                      "<tspan sodipodi:role='line' id='tspan1' x='5' y='6'>first</tspan>"
+                      "<tspan sodipodi:role='line' id='tspan2' x='5' y='11'>second<tspan>ly</tspan></tspan></text>",
+                      "xmlns:sodipodi='urn:s' width='9' height='9'")),
+        "text1 'first secondly' 5 6");
+    // The first letter's place; where a tspan says one coordinate, the text says the other.
+    EXPECT_EQ(labels_of(svg("<text x='1 2,3' y='2'><tspan x='9'/><tspan x='5'>a<tspan x='7'>b</tspan></tspan></text>")),
+              " 'ab' 5 2");
+    EXPECT_EQ(labels_of(svg("<text x='1,2' y='10%'>a<tspan x='5'>b</tspan></text>")), " 'ab' 1 10");
+    EXPECT_EQ(labels_of(svg("<text>a<title>no</title><a href='#x'>b</a>&amp;<![CDATA[<]]></text>")), " 'ab&<' 0 0");
+    EXPECT_EQ(labels_of(svg("<defs><text id='t'>a</text></defs><use id='u' href='#t' x='7'/>")), "u/t 'a' 7 0");
+    EXPECT_EQ(labels_of(svg("<style>g text{stroke:red} h1 p{fill:red}</style>")),
+              "; svg.style-left-out; svg.style-left-out");
+    EXPECT_EQ(codes_of(svg("<style>g text{stroke:red} h1 p{fill:red}</style>")), "ok style-left-out");
+    // What is not seen says nothing; what else is text is left out as ever.
+    EXPECT_EQ(labels_of(svg("<text/><text> </text><text display='none'>a</text><text visibility='hidden'>a</text>"
+                            "<defs><text>a</text></defs><flowRoot>a</flowRoot>")),
+              "; svg.text-left-out");
+    EXPECT_EQ(labels_of(svg("<text x='one'>a</text>")), "svg.bad-length");
+    EXPECT_EQ(labels_of(svg("<text x='1e300'>a</text>")), "svg.out-of-range");
+    EXPECT_TRUE(picture_of(svg("<text x='3' y='4'>a</text>")).labels.empty());
+}
+
+TEST(SvgRead, TextsThatGrowWithoutBound) {
+    std::string spans, copies;
+    for (int i = 0; i < 2000; ++i) spans += "<tspan/>";
+    for (int i = 0; i < 1000; ++i) copies += "<use href='#t'/>";
+    EXPECT_EQ(labels_of(svg("<defs><text id='t'>" + spans + "a</text></defs>" + copies)), "svg.too-many-elements");
+    copies = "";
+    for (int i = 0; i < 5000; ++i) copies += "<use href='#t'/>";
+    EXPECT_EQ(labels_of(svg("<defs><text id='t'>" + std::string(400'000, ' ') + "a</text></defs>" + copies)),
+              "svg.too-large");
+}
+
 TEST(SvgRead, Switch) {
     EXPECT_EQ(ids_of(svg("<switch><g requiredExtensions='http://x'><rect id='a' width='1' height='1'/></g>"
                          "<g systemLanguage='de, fr'><rect id='b' width='1' height='1'/></g>"

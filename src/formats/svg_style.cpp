@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "formats/svg_values.h"
+#include "formats/svg_colour.h"
 #include "formats/xml.h"
 
 namespace filigree {
@@ -15,6 +15,9 @@ namespace {
 constexpr std::array<std::pair<std::string_view, CssProperty>, css_property_count> property_names = {{
     {"fill", CssProperty::fill},
     {"fill-rule", CssProperty::fill_rule},
+    {"stroke", CssProperty::stroke},
+    {"stroke-width", CssProperty::stroke_width},
+    {"color", CssProperty::colour},
     {"display", CssProperty::display},
     {"visibility", CssProperty::visibility},
     {"clip-path", CssProperty::clip_path},
@@ -122,6 +125,22 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
+// `current` is what currentColor stands for. What CSS does not know is as if it were not said.
+std::optional<Colour> stroke_said(std::string_view value, const std::optional<Colour>& parent, Colour current) {
+    const std::string stroke = lower_case(value);
+    if (stroke.empty()) return parent;
+    if (stroke == "none" || stroke == "initial" || stroke == "transparent") return std::nullopt;
+    if (stroke == "currentcolor") return current;
+    if (stroke.starts_with("url(")) {
+        const std::size_t close = stroke.find(')');
+        const std::string beside = close == std::string::npos ? "" : stroke.substr(close + 1);
+        return parse_css_colour(beside).value_or(Colour{});
+    }
+    const std::optional<Colour> colour = parse_css_colour(stroke);
+    if (colour && colour->alpha == 0) return std::nullopt;
+    return colour ? colour : parent;
+}
+
 }  // namespace
 
 void CssSheets::parse_declarations(std::string_view text, std::vector<Declaration>& to) {
@@ -144,11 +163,9 @@ void CssSheets::parse_declarations(std::string_view text, std::vector<Declaratio
     }
 }
 
-void CssSheets::leave_out(std::string_view what) {
+void CssSheets::leave_out(std::string_view what, std::vector<std::string>& to) {
     std::string text(trimmed(what).substr(0, 80));
-    if (std::find(left_out_.begin(), left_out_.end(), text) == left_out_.end() && left_out_.size() < 20) {
-        left_out_.push_back(std::move(text));
-    }
+    if (std::find(to.begin(), to.end(), text) == to.end() && to.size() < 20) to.push_back(std::move(text));
 }
 
 void CssSheets::add(std::string css) {
@@ -163,7 +180,7 @@ void CssSheets::add(std::string css) {
             // These never decide which shapes there are.
             const bool is_harmless = head.starts_with("@font-face") || head.starts_with("@charset") ||
                                      head.starts_with("@namespace") || head.starts_with("@keyframes");
-            if (!is_harmless) leave_out(head);
+            if (!is_harmless) leave_out(head, left_out_);
             at = end < text.size() && text[end] == '{' ? block_end(text, end) : end + 1;
             continue;
         }
@@ -181,6 +198,11 @@ void CssSheets::add_rule(std::string_view selectors, std::string_view declaratio
     parse_declarations(declarations, declarations_);
     const auto end = static_cast<std::uint32_t>(declarations_.size());
     if (first == end) return;
+    const bool is_of_strokes =
+        std::all_of(declarations_.begin() + first, declarations_.end(), [](const Declaration& declaration) {
+            return declaration.property == CssProperty::stroke || declaration.property == CssProperty::stroke_width ||
+                   declaration.property == CssProperty::colour;
+        });
     for (std::size_t at = 0; at <= selectors.size();) {
         const std::size_t comma = find_outside(selectors, at, ",");
         const std::string_view selector = trimmed(selectors.substr(at, comma - at));
@@ -206,7 +228,7 @@ void CssSheets::add_rule(std::string_view selectors, std::string_view declaratio
             (kind == '.' ? rule.classes : rule.ids).push_back(name);
         }
         if (!is_understood) {
-            leave_out(selector);
+            leave_out(selector, is_of_strokes ? strokes_left_out_ : left_out_);
             continue;
         }
         const auto index = static_cast<std::uint32_t>(rules_.size());
@@ -288,6 +310,13 @@ SvgPaint inherited(const SvgPaint& parent, const CssValues& said) {
     const std::string rule = lower_case(said[CssProperty::fill_rule]);
     if (rule == "evenodd") paint.fill_rule = FillRule::even_odd;
     if (rule == "nonzero" || rule == "initial") paint.fill_rule = FillRule::nonzero;
+    if (const auto colour = parse_css_colour(said[CssProperty::colour])) paint.current = *colour;
+    paint.stroke = stroke_said(said[CssProperty::stroke], parent.stroke, paint.current);
+    if (const std::string_view width = said[CssProperty::stroke_width]; width == "initial") {
+        paint.stroke_width = {1, false};
+    } else if (const auto wide = parse_length(width); wide && wide->value >= 0) {
+        paint.stroke_width = *wide;
+    }
     const std::string visibility = lower_case(said[CssProperty::visibility]);
     if (visibility == "hidden" || visibility == "collapse") paint.visible = false;
     if (visibility == "visible" || visibility == "initial") paint.visible = true;

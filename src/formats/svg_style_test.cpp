@@ -54,6 +54,7 @@ TEST(SvgStyle, NamesWhatIsLeftOut) {
         "p{color:red}");
     EXPECT_EQ(sheets.left_out(),
               (std::vector<std::string>{"g rect", "g>rect", "rect:hover", "a[b='c,d']", "@media print"}));
+    EXPECT_EQ(sheets.strokes_left_out(), (std::vector<std::string>{"h1 p"}));
     EXPECT_EQ(sheets.rule_count(), 0U);
 }
 
@@ -63,7 +64,9 @@ TEST(SvgStyle, Inheritance) {
         said.of[static_cast<std::size_t>(property)] = value;
         return inherited(parent, said);
     };
-    SvgPaint none{false, FillRule::even_odd, false};
+    SvgPaint none;
+    none.filled = none.visible = false;
+    none.fill_rule = FillRule::even_odd;
     EXPECT_EQ(inherited(none, {}), none);
     EXPECT_TRUE(say(none, CssProperty::fill, "#fff").filled);
     EXPECT_TRUE(say(none, CssProperty::fill, "initial").filled);
@@ -74,6 +77,42 @@ TEST(SvgStyle, Inheritance) {
     EXPECT_EQ(say({}, CssProperty::fill_rule, "evenodd").fill_rule, FillRule::even_odd);
     EXPECT_TRUE(say(none, CssProperty::visibility, "visible").visible);
     EXPECT_FALSE(say({}, CssProperty::visibility, "collapse").visible);
+}
+
+TEST(SvgStyle, Strokes) {
+    const auto stroke_of = [](std::string_view value, const SvgPaint& parent = {}) {
+        CssValues said;
+        said.of[static_cast<std::size_t>(CssProperty::stroke)] = value;
+        const auto stroke = inherited(parent, said).stroke;
+        return stroke ? to_text(*stroke) : "none";
+    };
+    SvgPaint red;
+    red.stroke = Colour{255, 0, 0, 255};
+    red.current = {0, 0, 255, 255};
+    EXPECT_EQ(stroke_of(""), "none");
+    EXPECT_EQ(stroke_of("#0a0"), "#00aa00");
+    for (const char* value : {"", "inherit", "unset", "nonsense"}) EXPECT_EQ(stroke_of(value, red), "#ff0000") << value;
+    for (const char* value : {"None", "initial", "transparent", "rgba(1,2,3,0)"}) {
+        EXPECT_EQ(stroke_of(value, red), "none") << value;
+    }
+    EXPECT_EQ(stroke_of("currentColor", red), "#0000ff");
+    EXPECT_EQ(stroke_of("currentColor"), "#000000");
+    EXPECT_EQ(stroke_of("url(#g)", red), "#000000");
+    EXPECT_EQ(stroke_of("url(#g) lime", red), "#00ff00");
+
+    const auto width_of = [](std::string_view value) {
+        CssValues said;
+        said.of[static_cast<std::size_t>(CssProperty::stroke_width)] = value;
+        SvgPaint parent;
+        parent.stroke_width = {7, false};
+        return inherited(parent, said).stroke_width;
+    };
+    EXPECT_EQ(width_of(""), (SvgLength{7, false}));
+    EXPECT_EQ(width_of("3pt"), (SvgLength{4, false}));
+    EXPECT_EQ(width_of("5%"), (SvgLength{5, true}));
+    EXPECT_EQ(width_of("initial"), (SvgLength{1, false}));
+    EXPECT_EQ(width_of("-1"), (SvgLength{7, false}));
+    EXPECT_EQ(width_of("wide"), (SvgLength{7, false}));
 }
 
 }  // namespace

@@ -19,6 +19,8 @@ std::optional<std::vector<double>> parse_number_list(std::string_view text);
 struct SvgLength {
     double value = 0;  // px, or per cent
     bool is_percentage = false;
+
+    bool operator==(const SvgLength&) const = default;
 };
 // A number with an optional unit: px, mm, cm, Q, in, pt, pc, %; em, rem and ex as in a font of 16 px.
 std::optional<SvgLength> parse_length(std::string_view text);
