@@ -183,6 +183,24 @@ TEST(WordEdit, OtherDocumentsAreReadLikeEmbeddedOnes) {
               std::string::npos);
 }
 
+TEST(WordEdit, WhatEditsPutIsNotExplainedByRules) {
+    const TestFolder folder;
+    const auto explained = [&](const std::string& edits, int steps) {
+        const std::string text = "grammar rewriting\naxiom \"a\"\niterations 4\na -> \"ab\"\n" + edits;
+        return run_program("derive " + folder.write("a.fil", text) + " --explain 1 --steps " + std::to_string(steps));
+    };
+    const std::string late = "after 3..5 insert(\"c\")\nafter 2 insert(\"d\")\n";
+    EXPECT_EQ(explained(late, 1).status, 0);
+    EXPECT_NE(explained(late, 1).out.find("iteration 1: b at 1, put by "), std::string::npos);
+    const Ran wrong = explained(late, 4);
+    EXPECT_EQ(wrong.status, 1);
+    EXPECT_NE(wrong.out.find(":6:9: error: "), std::string::npos) << wrong.out;
+    EXPECT_NE(wrong.out.find("rewriting.edited-word"), std::string::npos) << wrong.out;
+    EXPECT_NE(wrong.out.find("the words up to --steps 1 can be explained"), std::string::npos) << wrong.out;
+    EXPECT_EQ(explained(late, 2).status, 1);
+    EXPECT_EQ(explained("once insert(\"c\")\n", 1).status, 1) << "it edits whatever is asked for";
+}
+
 TEST(WordEdit, WrongCommandsAreToldWhereTheyAreWrong) {
     const TestFolder folder;
     const std::string document = folder.write("a.fil", "grammar rewriting\naxiom \"a[b]\"\n");

@@ -1,5 +1,6 @@
 #include "session/explain_word.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
@@ -210,6 +211,16 @@ std::string as_data(const OpenedDocument& opened, const CheckedDocument& checked
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+// The edit that comes first, where the word after so many iterations is not what the rules alone make.
+const rewriting::WordEdit* edit_up_to(const std::vector<rewriting::WordEdit>& edits, std::uint64_t steps) {
+    // Behind the last iteration is behind whichever is asked for.
+    const auto first_word = [](const rewriting::WordEdit& edit) { return edit.is_once ? 0 : edit.first; };
+    const auto first = std::min_element(edits.begin(), edits.end(), [&](const auto& one, const auto& other) {
+        return first_word(one) < first_word(other);
+    });
+    return first == edits.end() || first_word(*first) > steps ? nullptr : &*first;
+}
+
 }  // namespace
 
 SaidRule said_at(const OpenedDocument& opened, SourceSpan span) {
@@ -222,8 +233,15 @@ Result<std::string> explain_word(const OpenedDocument& opened, const CheckedDocu
                                  std::optional<std::uint64_t> steps, std::uint64_t position, bool as_json,
                                  const Job& job) {
     const rewriting::Grammar& grammar = *checked.words;
-    const Result<rewriting::Explanation> explanation = rewriting::explain(
-        grammar, word_options(opened, checked), steps.value_or(grammar.systems[0].iterations), position, job);
+    const std::uint64_t count = steps.value_or(grammar.systems[0].iterations);
+    if (const rewriting::WordEdit* edit = edit_up_to(grammar.edits, count)) {
+        return error(
+            "rewriting.edited-word", "this edits the word, so rules alone do not say how its symbols came", edit->span,
+            {edit->is_once ? "without the edit, the word before it can be explained"
+                           : "the words up to --steps " + std::to_string(edit->first - 1) + " can be explained"});
+    }
+    const Result<rewriting::Explanation> explanation =
+        rewriting::explain(grammar, word_options(opened, checked), count, position, job);
     if (!explanation) return explanation.diagnostics();
     return as_json ? as_data(opened, checked, *explanation) : told(opened, *explanation);
 }

@@ -18,7 +18,7 @@ struct SaidRule {
 SaidRule said_at(const OpenedDocument& opened, SourceSpan span);
 
 // Of the symbol at a position, from 0 and without '=', of the word after `steps` iterations; without a number, after as
-// many as the document says.
+// many as the document says. An error where the document edits that word, or one before it.
 Result<std::string> explain_word(const OpenedDocument& opened, const CheckedDocument& checked,
                                  std::optional<std::uint64_t> steps, std::uint64_t position, bool as_json,
                                  const Job& job);
