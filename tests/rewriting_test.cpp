@@ -124,6 +124,9 @@ TEST(Rewriting, StylesAskWhatIsKnownOfASymbol) {
     EXPECT_EQ(colours("style a when age > 2 { stroke: #ff0000 }"), std::pair(false, true));
     EXPECT_EQ(colours("let old = 1\nstyle a { stroke: index > old ? #ff0000 : #000000 }"), std::pair(true, true));
     EXPECT_EQ(colours("style a when t > 0 && x < 1000 { stroke: #ff0000 }"), std::pair(true, false));
+    EXPECT_EQ(colours("style a when count == 3 { stroke: #ff0000 }"), std::pair(true, false));
+    EXPECT_EQ(colours("style a { stroke: [#ff0000, #000000] }"), std::pair(true, true));
+    EXPECT_EQ(colours("style a when density > 1 { stroke: #ff0000 }"), std::pair(true, true));
 }
 
 TEST(Rewriting, WhatPutASymbolIsTold) {

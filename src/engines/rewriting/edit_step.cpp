@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "engines/rewriting/pattern.h"
-#include "language/walk.h"
 
 namespace filigree::rewriting {
 namespace {
@@ -207,11 +206,9 @@ Diagnostics apply_edits(Derivation& derivation, const Grammar& grammar, EditTime
 }
 
 bool asks_for_ages(const WordEdit& edit) {
-    return std::any_of(edit.by_token.begin(), edit.by_token.end(), [](const WordEdit::TokenExpression& one) {
-        const std::vector<NameInExpression> names = names_in(*one.expression);
-        return std::any_of(names.begin(), names.end(),
-                           [](const NameInExpression& name) { return name.text == "age" || name.text == "other_age"; });
-    });
+    FactSet asked{};
+    for (const WordEdit::TokenExpression& one : edit.by_token) add_facts(asked, one.expression);
+    return has(asked, Fact::age);
 }
 
 Scope names_of_word(const std::vector<Register>& registers, std::uint32_t iteration, const Scope* globals) {

@@ -13,13 +13,7 @@ class Asking {
 public:
     FactSet asked{};
 
-    void look_at(const ExpressionPtr& expression) {
-        if (!expression) return;
-        for (const NameInExpression& name : names_in(*expression)) {
-            const auto known = std::find(fact_names.begin(), fact_names.end(), name.text);
-            if (known != fact_names.end()) asked[static_cast<std::size_t>(known - fact_names.begin())] = true;
-        }
-    }
+    void look_at(const ExpressionPtr& expression) { add_facts(asked, expression); }
     void look_at(const std::vector<Pattern::Part>& parts) {
         for (const Pattern::Part& part : parts) {
             look_at(part.count);
@@ -77,6 +71,14 @@ private:
 };
 
 }  // namespace
+
+void add_facts(FactSet& asked, const ExpressionPtr& expression) {
+    if (!expression) return;
+    for (const NameInExpression& name : names_in(*expression)) {
+        const auto known = std::find(fact_names.begin(), fact_names.end(), name.text);
+        if (known != fact_names.end()) asked[static_cast<std::size_t>(known - fact_names.begin())] = true;
+    }
+}
 
 FactSet facts_asked(const Grammar& grammar) {
     Asking asking;

@@ -38,6 +38,8 @@ inline bool has(const FactSet& set, Fact fact) { return set[static_cast<std::siz
 
 // What the grammar's expressions ask.
 FactSet facts_asked(const Grammar& grammar);
+// With what one more expression asks, which may be null.
+void add_facts(FactSet& asked, const ExpressionPtr& expression);
 
 class SymbolFacts {
 public:

@@ -1,10 +1,7 @@
 #include "engines/rewriting/word_styles.h"
 
-#include <algorithm>
-#include <string_view>
 #include <utility>
 
-#include "language/walk.h"
 #include "space/mesh.h"
 
 namespace filigree::rewriting {
@@ -12,15 +9,15 @@ namespace {
 
 constexpr Colour ink{0, 0, 0, 255}, paper{255, 255, 255, 255};
 
-bool mentions(const ExpressionPtr& expression, std::string_view name) {
-    if (!expression) return false;
-    const std::vector<NameInExpression> names = names_in(*expression);
-    return std::any_of(names.begin(), names.end(), [&](const NameInExpression& one) { return one.text == name; });
-}
-bool mentions(const StyleStatement& style, std::string_view name) {
-    return mentions(style.condition, name) ||
-           std::any_of(style.properties.begin(), style.properties.end(),
-                       [&](const StyleProperty& property) { return mentions(property.value, name); });
+// A list of colours goes by the group, and the group by the depth.
+FactSet facts_asked(const Settings& settings) {
+    FactSet asked{};
+    asked[static_cast<std::size_t>(Fact::depth)] = true;
+    for (const StyleStatement* style : settings.styles) {
+        add_facts(asked, style->condition);
+        for (const StyleProperty& property : style->properties) add_facts(asked, property.value);
+    }
+    return asked;
 }
 
 Value bare(double value) { return Value{Quantity{value}, {}}; }
@@ -30,7 +27,12 @@ Value length_value(double px) { return Value{Quantity{px, 1, false}, {}}; }
 
 WordStyles::WordStyles(const Derivation& derivation, const DrawRules& rules, const Settings& settings, StyleSheet sheet,
                        Key root)
-    : derivation_(derivation), rules_(rules), settings_(settings), sheet_(std::move(sheet)), root_(root) {
+    : derivation_(derivation),
+      rules_(rules),
+      settings_(settings),
+      sheet_(std::move(sheet)),
+      root_(root),
+      asked_(facts_asked(settings)) {
     for (std::size_t s = 0; s < derivation.alphabet.size(); ++s) {
         const char32_t letter = derivation.alphabet[static_cast<Symbol>(s)].letter;
         letters_.push_back(style_of_tag(sheet_, to_utf8(std::u32string(1, letter))));
@@ -72,13 +74,12 @@ Look WordStyles::look_of(Drawn kind, double width, std::int64_t colour, const St
 Look WordStyles::look_of(Drawn kind, const DrawnSymbol& symbol) {
     const TagStyle& of_letter = letters_[derivation_.word.symbols[symbol.place]];
     if (of_letter.is_constant) return look_of(kind, symbol.width, symbol.colour, of_letter.common);
-    const std::uint64_t index = index_of(symbol.place);
     Scope scope;
     scope.outer = &settings_.globals;
     for (std::size_t f = 0; f < fact_names.size(); ++f) {
-        scope.names.emplace(fact_names[f], bare(fact_of(static_cast<Fact>(f), index)));
+        if (asked_[f]) scope.names.emplace(fact_names[f], bare(fact_of(static_cast<Fact>(f), symbol.place)));
     }
-    scope.names.emplace("group", bare(facts().value(Fact::depth, index) + 1));
+    scope.names.emplace("group", bare(fact_of(Fact::depth, symbol.place) + 1));
     scope.names.emplace("colour", bare(static_cast<double>(symbol.colour)));
     scope.names.emplace("width", length_value(symbol.width));
     scope.names.emplace("x", length_value(symbol.at.x));
@@ -90,18 +91,11 @@ Look WordStyles::look_of(Drawn kind, const DrawnSymbol& symbol) {
     return {};
 }
 
-double WordStyles::fact_of(Fact fact, std::uint64_t index) {
+double WordStyles::fact_of(Fact fact, std::uint64_t place) {
     if (fact == Fact::t) return derivation_.iteration;
-    if (fact == Fact::age && derivation_.word.ages.empty()) return 1;  // nothing asks for it
-    return facts().value(fact, index);
-}
-
-const SymbolFacts& WordStyles::facts() {
-    if (facts_) return *facts_;
-    FactSet all;
-    all.fill(true);
-    facts_ = std::make_unique<SymbolFacts>(derivation_.word, derivation_.alphabet, all);
-    return *facts_;
+    if (!facts_) facts_ = std::make_unique<SymbolFacts>(derivation_.word, derivation_.alphabet, asked_);
+    if (fact == Fact::count) return static_cast<double>(facts_->count(derivation_.word.symbols[place]));
+    return facts_->value(fact, index_of(place));
 }
 
 std::uint64_t WordStyles::index_of(std::uint64_t place) {
@@ -126,9 +120,9 @@ const StyleOverride* WordStyles::common() const {
 }
 
 bool asks_for_ages(const DrawRules& rules, const Settings& settings) {
-    return mentions(rules.formula, "age") ||
-           std::any_of(settings.styles.begin(), settings.styles.end(),
-                       [](const StyleStatement* style) { return mentions(*style, "age"); });
+    FactSet asked = facts_asked(settings);
+    add_facts(asked, rules.formula);
+    return has(asked, Fact::age);
 }
 
 }  // namespace filigree::rewriting

@@ -55,8 +55,7 @@ public:
 private:
     std::uint64_t index_of(std::uint64_t place);
     Colour colour_of(std::int64_t level) const;
-    double fact_of(Fact fact, std::uint64_t index);
-    const SymbolFacts& facts();
+    double fact_of(Fact fact, std::uint64_t place);
 
     const Derivation& derivation_;
     const DrawRules& rules_;
@@ -64,6 +63,7 @@ private:
     const StyleSheet sheet_;
     const Key root_;
     std::vector<TagStyle> letters_;  // by symbol
+    const FactSet asked_;
     std::unique_ptr<SymbolFacts> facts_;
     std::uint64_t place_ = 0, index_ = 0;  // of the symbol that was asked for last
 };
