@@ -108,6 +108,18 @@ TEST(Rewriting, WordsAreDrawnInEveryFormat) {
     EXPECT_EQ(folder.read("b.svg"), svg);
 }
 
+TEST(Rewriting, PagesAreFilledInSpaceAsInTheWall) {
+    const TestFolder folder;
+    const std::string file = folder.write("a.fil",
+                                          "grammar rewriting\npage 300 x 200 margin 10\naxiom \"a+aPa+a\"\n"
+                                          "view 30, 25\nangle 90\nwidth 6\n");
+    const Ran ran = run_program("render " + file + " -o " + folder / "a.svg");
+    EXPECT_EQ(ran.out.find("warning"), std::string::npos) << ran.out;
+    const std::string svg = folder.read("a.svg");
+    EXPECT_NE(svg.find(" 300 200\""), std::string::npos);
+    EXPECT_NE(svg.find("d=\"m-13.784-90 "), std::string::npos) << "pens take no room:\n" << svg;
+}
+
 TEST(Rewriting, StylesAskWhatIsKnownOfASymbol) {
     const TestFolder folder;
     const auto colours = [&](const std::string& style) {

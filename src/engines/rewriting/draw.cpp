@@ -39,26 +39,23 @@ public:
           settings_(settings),
           document_(document),
           styles_(derivation, rules, settings, std::move(sheet), options.root),
-          options_(options) {}
+          options_(options),
+          turtle_(turtle_settings(rules, derivation.iteration, settings, document, errors_)) {}
 
     Result<Picture> run() {
-        Diagnostics problems;
-        const TurtleSettings turtle = turtle_settings(rules_, derivation_.iteration, settings_, document_, problems);
         if (const StyleOverride* common = styles_.common(); common != nullptr && !rules_.view) {
             Result<std::optional<FlatDrawing>> flat =
-                flat_drawing(word_.symbols, derivation_.alphabet, turtle, settings_.limits.elements);
+                flat_drawing(word_.symbols, derivation_.alphabet, turtle_, settings_.limits.elements);
             if (!flat) return flat.diagnostics();
             if (*flat) return draw_flat(**flat, *common);
         }
-        const Result<TurtleDrawing> turtled = drawn_by_turtle(turtle, problems);
+        const Result<TurtleDrawing> turtled = drawn_by_turtle();
         if (!turtled) return turtled.diagnostics();
         return rules_.view || leaves_wall(*turtled) ? draw_in_space(*turtled) : draw_in_wall(*turtled);
     }
 
     Result<WordSolid> solid() {
-        Diagnostics problems;
-        const TurtleSettings turtle = turtle_settings(rules_, derivation_.iteration, settings_, document_, problems);
-        const Result<TurtleDrawing> turtled = drawn_by_turtle(turtle, problems);
+        const Result<TurtleDrawing> turtled = drawn_by_turtle();
         if (!turtled) return turtled.diagnostics();
         return word_solid(derivation_, *turtled, rules_, forms_, styles_);
     }
@@ -75,11 +72,10 @@ private:
     }
 
     // With the forms that it places.
-    Result<TurtleDrawing> drawn_by_turtle(const TurtleSettings& turtle, const Diagnostics& problems) {
-        Result<TurtleDrawing> turtled = turtle_drawing(word_, derivation_.alphabet, turtle, settings_.limits.elements);
+    Result<TurtleDrawing> drawn_by_turtle() {
+        Result<TurtleDrawing> turtled = turtle_drawing(word_, derivation_.alphabet, turtle_, settings_.limits.elements);
         if (!turtled) return turtled;
-        if (!problems.empty()) return problems;
-        if (!read_forms() || !has_room_for_forms(*turtled)) return errors_;
+        if (!errors_.empty() || !read_forms() || !has_room_for_forms(*turtled)) return errors_;
         return turtled;
     }
 
@@ -89,7 +85,7 @@ private:
         for (const TurtleShape& shape : turtled.shapes) ++times[shape.name];
         std::uint64_t corners = 0;
         for (std::size_t i = 0; i < times.size(); ++i) {
-            corners += times[i] * forms_[static_cast<std::size_t>(std::stoul(turtled.shape_names[i]))].points.size();
+            corners += times[i] * forms_[form_number(turtled, static_cast<std::uint32_t>(i))].points.size();
         }
         constexpr std::uint64_t bytes_a_corner = 64;  // with what formats make of it
         if (corners <= settings_.limits.memory_bytes / bytes_a_corner) return true;
@@ -139,7 +135,7 @@ private:
     }
 
     const Polygons& form_of(const TurtleDrawing& turtled, const TurtleShape& shape) const {
-        return forms_[static_cast<std::size_t>(std::stoul(turtled.shape_names[shape.name]))];
+        return forms_[form_number(turtled, shape.name)];
     }
 
     // --- the page ---
@@ -226,30 +222,26 @@ private:
         }
         View view = rules_.view.value_or(View{});
         view.up = UpAxis::y;
+        const Camera camera = camera_of(view, solid->mesh);
+        Extent extent;
+        for (const Vec3 p : solid->mesh.vertices) extent.add(projected(camera, seen_from(camera, p)));
+        view.scale = place_of(extent).scale;
+        for (MeshLine& line : solid->mesh.lines) line.width /= view.scale;  // pens stay as wide on the page
         SolidViewOptions options;
         options.margin = 0;
         options.path = "word";
         options.most_pieces = settings_.limits.elements;
         Result<Drawing> drawing = solid_view(solid->mesh, solid->materials, view, options);
         if (!drawing) return drawing.diagnostics();
-        const auto extent_of_canvas = [&] {
-            const Canvas& canvas = drawing->canvas;
-            Extent extent;
-            extent.add(canvas.origin);
-            extent.add(canvas.origin + canvas.size);
-            return extent;
-        };
-        if (const double scale = place_of(extent_of_canvas()).scale; scale != 1) {
-            view.scale = scale;
-            for (MeshLine& line : solid->mesh.lines) line.width /= scale;  // pens stay as wide on the page
-            drawing = solid_view(solid->mesh, solid->materials, view, options);
-            if (!drawing) return drawing.diagnostics();
+        Box box{{0, 0}, {0, 0}};
+        if (settings_.page.kind == PageStatement::Kind::fit) {
+            box = {snap(drawing->canvas.origin), snap(drawing->canvas.origin + drawing->canvas.size)};
+        } else if (!extent.is_empty()) {
+            box = {snap(view.scale * extent.low), snap(view.scale * extent.high)};
         }
         Diagnostics warnings;
-        const Extent extent = extent_of_canvas();
         picture_.drawing = std::move(*drawing);
-        picture_.drawing.canvas =
-            page_canvas(settings_, document_, {snap(extent.low), snap(extent.high)}, "the lines", warnings);
+        picture_.drawing.canvas = page_canvas(settings_, document_, box, "the lines", warnings);
         for (const DrawnShape& shape : picture_.drawing.shapes) {
             const auto symbol = solid->symbols.find(shape.key.value);
             picture_.symbols.push_back(symbol == solid->symbols.end() ? 0 : symbol->second);
@@ -322,12 +314,12 @@ private:
                   [](const TurtlePolygon& a, const TurtlePolygon& b) { return a.symbol < b.symbol; });
         auto polygon = polygons.begin();
         auto shape = turtled.shapes.begin();
+        const auto next_polygon = [&] { return polygon != polygons.end() ? polygon->symbol : UINT64_MAX; };
+        const auto next_shape = [&] { return shape != turtled.shapes.end() ? shape->symbol : UINT64_MAX; };
+        const auto next_other = [&] { return std::min(next_polygon(), next_shape()); };
         const auto draw_others_before = [&](std::uint64_t symbol) {
-            while (true) {
-                const std::uint64_t next_polygon = polygon != polygons.end() ? polygon->symbol : UINT64_MAX;
-                const std::uint64_t next_shape = shape != turtled.shapes.end() ? shape->symbol : UINT64_MAX;
-                if (std::min(next_polygon, next_shape) >= symbol) return;
-                if (next_polygon < next_shape) {
+            while (next_other() < symbol) {
+                if (next_polygon() < next_shape()) {
                     draw_polygon(turtled, *polygon++, place);
                 } else {
                     draw_shape(turtled, *shape++, place);
@@ -340,10 +332,6 @@ private:
         Key key;
         std::uint64_t symbol = 0;
         Vec3 at;
-        const auto next_other = [&] {
-            const std::uint64_t next_polygon = polygon != polygons.end() ? polygon->symbol : UINT64_MAX;
-            return std::min(next_polygon, shape != turtled.shapes.end() ? shape->symbol : UINT64_MAX);
-        };
         std::uint64_t done = 0;
         for (const TurtleSegment& segment : turtled.segments) {
             if ((++done & 0xFFFF) == 0 && is_cancelled(options_.job)) return cancelled_diagnostic();
@@ -419,6 +407,7 @@ private:
     Polygons geometry_;
     std::uint32_t last_style_ = 0;
     Diagnostics errors_;
+    const TurtleSettings turtle_;  // tells its errors in those
 };
 
 }  // namespace

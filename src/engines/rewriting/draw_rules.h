@@ -29,6 +29,9 @@ struct DrawRules {
     bool has_own_step = false;      // else a page scales the drawing to its size
 };
 
+// Which of `forms` it is that the turtle places under a name.
+std::size_t form_number(const TurtleDrawing& turtled, std::uint32_t name);
+
 // What `letter` places: the forms of starts, and box.
 const std::vector<OperatorDescription>& letter_forms();
 

@@ -239,6 +239,10 @@ const std::vector<OperatorDescription>& letter_forms() {
     return forms;
 }
 
+std::size_t form_number(const TurtleDrawing& turtled, std::uint32_t name) {
+    return static_cast<std::size_t>(std::stoul(turtled.shape_names[name]));
+}
+
 Result<DrawRules> read_draw_rules(const Settings& settings, const Document& document) {
     return DrawRulesReader(settings, document).run();
 }

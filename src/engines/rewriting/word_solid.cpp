@@ -1,7 +1,6 @@
 #include "engines/rewriting/word_solid.h"
 
 #include <algorithm>
-#include <string>
 
 #include "language/form_value.h"
 #include "space/solids.h"
@@ -77,7 +76,7 @@ private:
         const Style style =
             styles_.look_of(Drawn::solid, {shape.symbol, shape.width, shape.colour, shape.position}).style;
         if (!style.fill && !has_stroke(style)) return;
-        const auto number = static_cast<std::size_t>(std::stoul(turtled_.shape_names[shape.name]));
+        const std::size_t number = form_number(turtled_, shape.name);
         const SymbolicCall& form = rules_.forms[number].form;
         const MeshOrigin origin = origin_of(shape.symbol, solid_material(style));
         if (form.name == "box") {
