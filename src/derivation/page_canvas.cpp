@@ -20,8 +20,9 @@ Canvas page_canvas(const Settings& settings, const Document& document, const Box
     const double margin = settings.page.margin.value_or(0);
     if (settings.page.kind == PageStatement::Kind::tile) return canvas;  // what crosses its edges comes in again
     if (extent.x > canvas.size.x - 2 * margin + 1e-6 || extent.y > canvas.size.y - 2 * margin + 1e-6) {
-        warnings.push_back(warning("page.too-small", std::string(what) + " are larger than the page within its margins",
-                                   {}, {"a larger page, smaller " + std::string(what.substr(4)) + ", or `page fit`"}));
+        warnings.push_back(warning("page.too-small",
+                                   "the " + std::string(what) + " are larger than the page within its margins", {},
+                                   {"a larger page, smaller " + std::string(what) + ", or `page fit`"}));
     }
     return canvas;
 }

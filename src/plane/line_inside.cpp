@@ -36,8 +36,7 @@ std::vector<double> meetings(const Edge& stretch, const EdgeTree& border) {
 }  // namespace
 
 void add_parts_inside(Polygons& to, RingView line, const EdgeTree& border) {
-    const std::size_t nothing = to.ring_ends.empty() ? 0 : to.ring_ends.back();
-    std::size_t begun = nothing;
+    std::size_t begun = to.ring_ends.empty() ? 0 : to.ring_ends.back();
     const auto add = [&](Vec p) {
         const Point point = snap(p);
         if (to.points.size() == begun || to.points.back() != point) to.points.push_back(point);

@@ -97,10 +97,9 @@ std::optional<Picked> pick_symbol(const OpenedDocument& opened, const CheckedDoc
             rewriting::turtle_settings(rules, derivation.iteration, settings, opened.document, problems));
         if (turtled) symbol = nearest_symbol(*turtled, picture->place, at);
     }
-    std::uint64_t index = 0;
-    for (std::uint64_t i = 0; i < symbol; ++i) {
-        index += derivation.word.symbols[i] == rewriting::Alphabet::freeze ? 0U : 1U;
-    }
+    const auto begin = derivation.word.symbols.begin();
+    const auto freezes = std::count(begin, begin + static_cast<std::ptrdiff_t>(symbol), rewriting::Alphabet::freeze);
+    const std::uint64_t index = symbol - static_cast<std::uint64_t>(freezes);
     const rewriting::SymbolEntry& entry = derivation.alphabet[derivation.word.symbols[symbol]];
     Picked picked;
     picked.path = place.prefix + "word/" + std::to_string(index + 1);

@@ -4,42 +4,17 @@
 
 #include "base/test_cases.h"
 #include "engines/rewriting/plain.h"
-#include "engines/rewriting/read_grammar.h"
-#include "language/parse.h"
+#include "engines/rewriting/read_grammar_test.h"
 
 namespace filigree::rewriting {
 namespace {
-
-struct Read {
-    Document document;
-    Settings settings;
-    Grammar grammar;
-    Diagnostics problems;  // of the grammar
-};
-
-Read read(const std::string& text, const Inputs& inputs = {}) {
-    Read out;
-    Parsed parsed = parse_document("a.fil", "grammar rewriting\n" + text, {});
-    EXPECT_EQ(to_text(parsed.diagnostics, parsed.document.sources), "");
-    out.document = std::move(parsed.document);
-    Result<Settings> settings = read_settings(out.document);
-    EXPECT_TRUE(settings) << to_text(settings.diagnostics(), out.document.sources);
-    if (settings) out.settings = std::move(*settings);
-    Result<Grammar> grammar = read_grammar(out.settings, out.document, inputs);
-    out.problems = grammar.diagnostics();
-    if (grammar) out.grammar = std::move(*grammar);
-    return out;
-}
 
 // The words of iterations 0 to n, between blanks; or the code of what went wrong.
 std::string words(const std::string& text, int n, const Limits& limits = {}, const Inputs& inputs = {}) {
     const Read said = read(text, inputs);
     if (!said.problems.empty()) return said.problems.front().code;
-    DeriveOptions options;
-    options.seed = said.settings.seed;
+    DeriveOptions options = options_of(said);
     options.limits = limits;
-    options.document = &said.document;
-    options.globals = &said.settings.globals;
     Result<Derivation> derivation = begin(said.grammar, options);
     if (!derivation) return derivation.diagnostics().front().code;
     std::string all = to_text(derivation->word, derivation->alphabet);

@@ -191,7 +191,7 @@ private:
             box = {{box.min.x - reach, box.min.y - reach}, {box.max.x + reach, box.max.y + reach}};
         }
         Drawing& drawing = picture_.drawing;
-        drawing.canvas = page_canvas(settings_, document_, box, "the lines", warnings);
+        drawing.canvas = page_canvas(settings_, document_, box, "lines", warnings);
         picture_.place = place;
         drawing.geometry = {std::make_shared<const Polygons>(std::move(geometry_))};
         drawing.groups = {{"word", 0, static_cast<std::uint32_t>(drawing.shapes.size()), 0, 0, {}}};
@@ -241,7 +241,7 @@ private:
         }
         Diagnostics warnings;
         picture_.drawing = std::move(*drawing);
-        picture_.drawing.canvas = page_canvas(settings_, document_, box, "the lines", warnings);
+        picture_.drawing.canvas = page_canvas(settings_, document_, box, "lines", warnings);
         for (const DrawnShape& shape : picture_.drawing.shapes) {
             const auto symbol = solid->symbols.find(shape.key.value);
             picture_.symbols.push_back(symbol == solid->symbols.end() ? 0 : symbol->second);

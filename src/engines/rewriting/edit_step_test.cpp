@@ -7,60 +7,40 @@
 
 #include "base/test_cases.h"
 #include "engines/rewriting/plain.h"
-#include "engines/rewriting/read_grammar.h"
+#include "engines/rewriting/read_grammar_test.h"
 #include "engines/rewriting/word_cases.h"
-#include "language/parse.h"
 
 namespace filigree::rewriting {
 namespace {
 
-struct Read {
-    Document document;
-    Settings settings;
-    Grammar grammar;
-    Diagnostics problems;
-    DeriveOptions options;
-};
-
-// In place, since options point into it.
-void read(const std::string& text, Read& out) {
-    Parsed parsed = parse_document("a.fil", "grammar rewriting\n" + text, {});
-    EXPECT_EQ(to_text(parsed.diagnostics, parsed.document.sources), "");
-    out.document = std::move(parsed.document);
-    Result<Settings> settings = read_settings(out.document);
-    ASSERT_TRUE(settings) << to_text(settings.diagnostics(), out.document.sources);
-    out.settings = std::move(*settings);
-    Result<Grammar> grammar = read_grammar(out.settings, out.document);
-    out.problems = grammar.diagnostics();
-    if (grammar) out.grammar = std::move(*grammar);
-    out.options.seed = out.settings.seed;
-    out.options.document = &out.document;
-    out.options.globals = &out.settings.globals;
-    out.options.with_ages = true;
+// Ages are counted here.
+DeriveOptions options_with_ages(const Read& said) {
+    DeriveOptions options = options_of(said);
+    options.with_ages = true;
+    return options;
 }
 
 // Derives as far as the document says. The code of what goes wrong, if anything does.
 std::string derive(const Read& said, Derivation& derivation, const OtherDocument& other = {}) {
     if (!said.problems.empty()) return said.problems.front().code;
+    const DeriveOptions options = options_with_ages(said);
     const auto edit = [&](EditTime time) {
-        const Diagnostics problems = apply_edits(derivation, said.grammar, time, said.options, other, {});
+        const Diagnostics problems = apply_edits(derivation, said.grammar, time, options, other, {});
         return problems.empty() ? std::string() : problems.front().code;
     };
-    Result<Derivation> begun = begin(said.grammar, said.options);
+    Result<Derivation> begun = begin(said.grammar, options);
     if (!begun) return begun.diagnostics().front().code;
     derivation = std::move(*begun);
     for (std::uint32_t t = 0; t < said.grammar.systems[0].iterations; ++t) {
-        if (const auto problem = step(derivation, said.grammar, said.options, {})) return problem->code;
+        if (const auto problem = step(derivation, said.grammar, options, {})) return problem->code;
         if (const std::string code = edit(EditTime::iteration); !code.empty()) return code;
     }
     return edit(EditTime::end);
 }
 
 std::string word(const std::string& text) {
-    Read said;
-    read(text, said);
     Derivation derivation;
-    const std::string problem = derive(said, derivation);
+    const std::string problem = derive(read(text), derivation);
     return problem.empty() ? to_text(derivation.word, derivation.alphabet) : problem;
 }
 // Of a word that is no more than its axiom.
@@ -130,8 +110,7 @@ TEST(EditStep, TheOtherWordIsThatOfASystemOrADocument) {
     EXPECT_EQ(word(grammar + "once breed(B)"), "abacac");
     EXPECT_EQ(word(grammar + "once breed(\"B\")"), "abacac");
     EXPECT_EQ(word(grammar + "once add(\"b.fil\")"), "rewriting.unknown-system") << "nobody knows documents here";
-    Read said;
-    read(grammar + "once add(\"b.fil\")", said);
+    const Read said = read(grammar + "once add(\"b.fil\")");
     Derivation derivation;
     EXPECT_EQ(derive(said, derivation, [](const std::string& name) { return utf32(name.substr(0, 1)); }), "");
     EXPECT_EQ(to_text(derivation.word, derivation.alphabet), "aaab");
@@ -160,11 +139,10 @@ TEST(EditStep, TheDerivationGoesOn) {
 }
 
 TEST(EditStep, ColumnsStayWithTheirSymbols) {
-    Read said;
-    read("axiom \"ab\"\niterations 2\nrandom lineage\na -> \"a\", \"a\"\nafter 2 insert(\"cd\", at: \"b\")", said);
+    const Read said =
+        read("axiom \"ab\"\niterations 2\nrandom lineage\na -> \"a\", \"a\"\nafter 2 insert(\"cd\", at: \"b\")");
+    const Read without = read("axiom \"ab\"\niterations 2\nrandom lineage\na -> \"a\", \"a\"");
     Derivation plain, changed;
-    Read without;
-    read("axiom \"ab\"\niterations 2\nrandom lineage\na -> \"a\", \"a\"", without);
     ASSERT_EQ(derive(without, plain), "");
     ASSERT_EQ(derive(said, changed), "");
     EXPECT_EQ(to_text(changed.word, changed.alphabet), "acdb");
@@ -178,9 +156,7 @@ TEST(EditStep, ColumnsStayWithTheirSymbols) {
 // A new symbol draws by whom it stands behind, so an edit far away changes nothing of it.
 TEST(EditStep, NewSymbolsDescendFromWhatStandsBefore) {
     const std::string rest = "\niterations 1\nseed 5\nx -> \"x\", \"y\"\na -> \"a\"\nafter 1 insert(\"x\", at: \"b\")";
-    Read one, two;
-    read("axiom \"abab\"" + rest, one);
-    read("axiom \"ababacb\"" + rest, two);
+    const Read one = read("axiom \"abab\"" + rest), two = read("axiom \"ababacb\"" + rest);
     Derivation short_word, long_word;
     ASSERT_EQ(derive(one, short_word), "");
     ASSERT_EQ(derive(two, long_word), "");
@@ -200,14 +176,13 @@ TEST(EditStep, MutationsHangOnSeedAndStatementAlone) {
 }
 
 TEST(EditStep, AnErrorLeavesAllAsItWas) {
-    Read said;
-    read("axiom \"aaaa\"\nlimit elements 10\nonce insert(\"xx\")", said);
+    const Read said = read("axiom \"aaaa\"\nlimit elements 10\nonce insert(\"xx\")");
     ASSERT_TRUE(said.problems.empty());
-    said.options.limits = said.settings.limits;
-    Result<Derivation> derivation = begin(said.grammar, said.options);
+    DeriveOptions options = options_with_ages(said);
+    options.limits = said.settings.limits;
+    Result<Derivation> derivation = begin(said.grammar, options);
     ASSERT_TRUE(derivation);
-    const Result<EditReport> report =
-        apply_edit(*derivation, said.grammar.edits[0], said.grammar, said.options, {}, {});
+    const Result<EditReport> report = apply_edit(*derivation, said.grammar.edits[0], said.grammar, options, {}, {});
     ASSERT_FALSE(report);
     EXPECT_EQ(report.diagnostics().front().code, "rewriting.edited-word-too-large");
     EXPECT_EQ(report.diagnostics().front().fault, Fault::limit);
@@ -220,10 +195,8 @@ TEST(EditStep, AnErrorLeavesAllAsItWas) {
 }
 
 TEST(EditStep, AGrammarWithEditsIsNotPlain) {
-    Read said;
-    read("axiom \"a\"\na -> \"ab\"\nonce clean()", said);
-    said.options.with_ages = false;
-    Result<Derivation> derivation = begin(said.grammar, said.options);
+    Read said = read("axiom \"a\"\na -> \"ab\"\nonce clean()");
+    Result<Derivation> derivation = begin(said.grammar, options_of(said));
     ASSERT_TRUE(derivation);
     EXPECT_FALSE(plain_substitution(*derivation, said.grammar));
     said.grammar.edits.clear();
@@ -231,20 +204,18 @@ TEST(EditStep, AGrammarWithEditsIsNotPlain) {
 }
 
 TEST(EditStep, ReportsWhatWasDone) {
-    Read said;
-    read("axiom \"aaab]\"\nonce compress(\"aa\" -> \"c\")\nonce clean()", said);
-    Result<Derivation> derivation = begin(said.grammar, said.options);
+    const Read said = read("axiom \"aaab]\"\nonce compress(\"aa\" -> \"c\")\nonce clean()");
+    const DeriveOptions options = options_with_ages(said);
+    Result<Derivation> derivation = begin(said.grammar, options);
     ASSERT_TRUE(derivation);
-    const Result<EditReport> chunks =
-        apply_edit(*derivation, said.grammar.edits[0], said.grammar, said.options, {}, {});
+    const Result<EditReport> chunks = apply_edit(*derivation, said.grammar.edits[0], said.grammar, options, {}, {});
     ASSERT_TRUE(chunks);
     EXPECT_EQ(chunks->before, 5U);
     EXPECT_EQ(chunks->kept, 3U);
     EXPECT_EQ(chunks->after, 4U);
     EXPECT_EQ(chunks->replaced, 1U);
     EXPECT_EQ(chunks->passes, 1U);
-    const Result<EditReport> cleaned =
-        apply_edit(*derivation, said.grammar.edits[1], said.grammar, said.options, {}, {});
+    const Result<EditReport> cleaned = apply_edit(*derivation, said.grammar.edits[1], said.grammar, options, {}, {});
     ASSERT_TRUE(cleaned);
     EXPECT_EQ(cleaned->changes, (std::vector<std::string>{"removed 1 ']' that closes nothing, at 3"}));
     EXPECT_EQ(to_text(derivation->word, derivation->alphabet), "cab");

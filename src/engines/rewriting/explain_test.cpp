@@ -3,19 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "engines/rewriting/random_grammar_test.h"
-#include "engines/rewriting/read_grammar.h"
-#include "language/settings.h"
+#include "engines/rewriting/read_grammar_test.h"
 
 namespace filigree::rewriting {
 namespace {
 
-Grammar grammar_of(const std::string& text) {
-    const Parsed parsed = parse_document("a.fil", "grammar rewriting\n" + text, {});
-    const Result<Settings> settings = read_settings(parsed.document);
-    Result<Grammar> grammar = read_grammar(*settings, parsed.document);
-    EXPECT_TRUE(grammar) << text;
-    return grammar ? *grammar : Grammar();
-}
 Explanation explained(const Grammar& grammar, std::uint64_t steps, std::uint64_t index) {
     Result<Explanation> explanation = explain(grammar, {}, steps, index, {});
     EXPECT_TRUE(explanation);

@@ -2,12 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "engines/rewriting/derive.h"
 #include "engines/rewriting/plain.h"
-#include "engines/rewriting/read_grammar.h"
+#include "engines/rewriting/read_grammar_test.h"
 #include "engines/rewriting/turtle.h"
 #include "formats/png_encode.h"
-#include "language/parse.h"
 
 namespace filigree::rewriting {
 namespace {
@@ -44,43 +42,23 @@ constexpr const char* row_map = "image wall \"row.png\" over 0, 0, 3, 1\n";
 constexpr const char* colour_map = "image wall \"colours.png\" over 0, 0, 2, 2\n";
 constexpr const char* table_map = "data heights \"heights.csv\" over 0, 0, 2, 2\n";
 
-struct Read {
-    Document document;
-    Settings settings;
-    Result<Grammar> grammar = Grammar{};
-};
-Read read(const std::string& text) {
-    Read out;
-    Parsed parsed = parse_document("a.fil", "grammar rewriting\n" + text, {});
-    EXPECT_EQ(to_text(parsed.diagnostics, parsed.document.sources), "");
-    out.document = std::move(parsed.document);
-    Result<Settings> settings = read_settings(out.document);
-    EXPECT_TRUE(settings) << to_text(settings.diagnostics(), out.document.sources);
-    if (settings) out.settings = std::move(*settings);
-    out.grammar = read_grammar(out.settings, out.document, files());
-    return out;
-}
-
 // The words of iterations 0 to n, between blanks; or the code of what went wrong. An i does not step here.
 std::string words(const std::string& text, int n, std::uint64_t* asked = nullptr) {
-    const Read said = read(text);
-    if (!said.grammar) return said.grammar.diagnostics().front().code;
-    DeriveOptions options;
-    options.seed = said.settings.seed;
-    options.document = &said.document;
-    options.globals = &said.settings.globals;
+    const Read said = read(text, files());
+    if (!said.problems.empty()) return said.problems.front().code;
+    DeriveOptions options = options_of(said);
     options.positions = [&](const Derivation& at) {
         if (asked != nullptr) ++*asked;
         TurtleSettings turtle;
         turtle.letters = {{U'i', Act::nothing}};
         return symbol_positions(at.word, at.alphabet, turtle);
     };
-    Result<Derivation> derivation = begin(*said.grammar, options);
+    Result<Derivation> derivation = begin(said.grammar, options);
     if (!derivation) return derivation.diagnostics().front().code;
-    EXPECT_TRUE(said.grammar->maps.empty() || !plain_substitution(*derivation, *said.grammar));
+    EXPECT_TRUE(said.grammar.maps.empty() || !plain_substitution(*derivation, said.grammar));
     std::string all = to_text(derivation->word, derivation->alphabet);
     for (int i = 0; i < n; ++i) {
-        if (const auto problem = step(*derivation, *said.grammar, options, {})) return all + " " + problem->code;
+        if (const auto problem = step(*derivation, said.grammar, options, {})) return all + " " + problem->code;
         all += " " + to_text(derivation->word, derivation->alphabet);
     }
     return all;
@@ -202,9 +180,9 @@ TEST(ReadLookup, PositionsAreAskedOnceAnIterationAndOnlyWhereNeeded) {
 
 // The code of the first problem, the text that it points to, and its first hint.
 std::string problem(const std::string& text) {
-    const Read said = read("axiom \"i\"\n" + text);
-    if (said.grammar) return "none";
-    const Diagnostic& first = said.grammar.diagnostics().front();
+    const Read said = read("axiom \"i\"\n" + text, files());
+    if (said.problems.empty()) return "none";
+    const Diagnostic& first = said.problems.front();
     return first.code + "@" + said.document.text().substr(first.span.begin, first.span.end - first.span.begin) +
            (first.hints.empty() ? "" : " (" + first.hints.front() + ")");
 }
@@ -253,8 +231,8 @@ TEST(ReadLookup, WrongRules) {
     EXPECT_EQ(wrong("image wall L { 1..k \"a\" }"), "language.unknown-name@k");
     EXPECT_EQ(wrong("image wall L { 1 \"{3 a\" }"), "rewriting.unmatched-brace@\"{3 a\"");
     // A map that is wrong is not said to be missing as well.
-    const Read said = read("axiom \"i\"\nimage wall \"a.gif\" over 0, 0, 1, 1\ni -> image wall L { 1 \"a\" }");
-    EXPECT_EQ(said.grammar.diagnostics().size(), 1U);
+    const Read said = read("axiom \"i\"\nimage wall \"a.gif\" over 0, 0, 1, 1\ni -> image wall L { 1 \"a\" }", files());
+    EXPECT_EQ(said.problems.size(), 1U);
 }
 
 }  // namespace

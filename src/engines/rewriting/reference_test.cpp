@@ -5,10 +5,8 @@
 
 #include <array>
 
-#include "engines/rewriting/derive.h"
 #include "engines/rewriting/random_grammar_test.h"
-#include "engines/rewriting/read_grammar.h"
-#include "language/settings.h"
+#include "engines/rewriting/read_grammar_test.h"
 
 namespace filigree::rewriting {
 namespace {
@@ -81,15 +79,6 @@ Comparison compare(const Grammar& grammar, std::uint64_t seed, std::uint32_t ite
         ++comparison.compared;
     }
     return comparison;
-}
-
-Grammar grammar_of(const std::string& text) {
-    const Parsed parsed = parse_document("a.fil", "grammar rewriting\n" + text, {});
-    const Result<Settings> settings = read_settings(parsed.document);
-    if (!settings) return {};
-    const Result<Grammar> grammar = read_grammar(*settings, parsed.document);
-    EXPECT_TRUE(grammar) << text;
-    return grammar ? *grammar : Grammar{};
 }
 
 // Words that were worked out by hand, so that the two are not wrong alike.

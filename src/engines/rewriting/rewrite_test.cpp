@@ -5,8 +5,7 @@
 
 #include "base/test_cases.h"
 #include "engines/rewriting/random_grammar_test.h"
-#include "engines/rewriting/read_grammar.h"
-#include "language/settings.h"
+#include "engines/rewriting/read_grammar_test.h"
 
 namespace filigree::rewriting {
 namespace {
@@ -105,20 +104,16 @@ TEST(Rewrite, LongWordsAreThoseThatHaveAges) {
          "a -> \"ba\"\nb -> \"cqi\"\nc -> \"\"",
          6}};
     for (const Case& one : cases) {
-        const Parsed parsed = parse_document("a.fil", "grammar rewriting\n" + one.grammar, {});
-        const Result<Settings> settings = read_settings(parsed.document);
-        ASSERT_TRUE(settings) << one.grammar;
-        const Result<Grammar> grammar = read_grammar(*settings, parsed.document);
-        ASSERT_TRUE(grammar) << one.grammar;
+        const Grammar grammar = grammar_of(one.grammar);
         DeriveOptions plain;
         DeriveOptions with_ages;
         with_ages.with_ages = true;
-        Result<Derivation> made = begin(*grammar, plain), wanted = begin(*grammar, with_ages);
+        Result<Derivation> made = begin(grammar, plain), wanted = begin(grammar, with_ages);
         ASSERT_TRUE(made) << one.grammar;
         for (int t = 0; t < one.iterations; ++t) {
-            const std::optional<Diagnostic> problem = step(*made, *grammar, plain, {});
+            const std::optional<Diagnostic> problem = step(*made, grammar, plain, {});
             ASSERT_FALSE(problem) << one.grammar << "\n" << problem->message;
-            ASSERT_FALSE(step(*wanted, *grammar, with_ages, {})) << one.grammar;
+            ASSERT_FALSE(step(*wanted, grammar, with_ages, {})) << one.grammar;
             ASSERT_TRUE(made->word.symbols == wanted->word.symbols) << one.grammar << "\niteration " << t + 1;
             ASSERT_TRUE(made->word.origins == wanted->word.origins) << one.grammar << "\niteration " << t + 1;
         }

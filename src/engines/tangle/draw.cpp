@@ -310,7 +310,7 @@ Result<Picture> draw(const Tangle& tangle, const Grammar& grammar, const Setting
     Result<StyleSheet> sheet = read_styles(settings, document);
     if (!sheet) return sheet.diagnostics();
     Diagnostics warnings;
-    const Canvas canvas = page_canvas(settings, document, bounds(*tangle.geometry[0]), "the starts", warnings);
+    const Canvas canvas = page_canvas(settings, document, bounds(*tangle.geometry[0]), "starts", warnings);
     Result<Picture> picture = Drawer(tangle, grammar, settings, document, std::move(*sheet), options).draw();
     if (!picture) return picture;
     picture->drawing.canvas = canvas;
