@@ -139,6 +139,11 @@ TEST(CommandLine, DeriveListsSteps) {
     EXPECT_EQ(one["steps"][0]["key"], json["steps"][0]["key"]);
 }
 
+TEST(CommandLine, TitlesOfExamplesAreListedAsTheyAre) {
+    const Ran ran = run_program("list");
+    EXPECT_NE(ran.out.find("in a rim of beads; figure-16-target.fil"), std::string::npos) << ran.out;
+}
+
 TEST(CommandLine, EveryOperatorHasAPage) {
     for (const char* name : {"outline", "regularSplit", "stipling", "place", "circle", "tangle"}) {
         const Ran page = run_program(std::string("describe ") + name);
