@@ -157,6 +157,18 @@ TEST(Rewriting, WhatPutASymbolIsTold) {
     EXPECT_NE(inner.find("embed(document: \"a.fil\")"), std::string::npos) << inner;
 }
 
+TEST(Rewriting, SubsystemsGoTheirOwnWay) {
+    const TestFolder folder;
+    const std::string file = folder.write(
+        "a.fil", "grammar rewriting\naxiom \"aA\"\niterations 1\nsystem A { axiom \"[+b]\"; step 3; angle 90 }\n");
+    ASSERT_EQ(run_program("render " + file + " -o " + folder / "a.svg" + " -o " + folder / "a.obj").out, "");
+    // A third to the right and three thirds down, scaled to 400 px.
+    const std::string svg = folder.read("a.svg"), obj = folder.read("a.obj");
+    EXPECT_NE(svg.find("d=\"m-66.667-200h133.334v400\""), std::string::npos) << svg;
+    EXPECT_NE(obj.find("v 1 0 0\nv 1 -3 0\n"), std::string::npos) << obj;
+    EXPECT_EQ(run_program("pick " + file + " --at 66.667,100").out.substr(0, 6), "word/4");
+}
+
 TEST(Rewriting, LettersPlaceWhatFilesHold) {
     const TestFolder folder;
     folder.write("leaf.svg", "<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0h10v5h-10z'/></svg>");
@@ -220,7 +232,8 @@ TEST(Rewriting, SettingsOfDrawingThatAreWrong) {
     expect("formula kk * 3\n", "did you mean 'k'");
     expect("colours []\n", "rewriting.bad-setting");
     expect("plus up\n", "rewriting.bad-word");
-    expect("system A { axiom \"b\"; angle 3 }\n", "rewriting.misplaced-setting");
+    expect("system A { axiom \"b\"; width 3 }\n", "rewriting.misplaced-setting");
+    expect("system A { axiom \"b\"; angle 3px }\n", "language.wrong-kind");
     expect("style b when area > 3 { pen: 2 }\n", "area");
 }
 

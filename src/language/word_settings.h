@@ -12,7 +12,8 @@ struct WordSetting {
     std::string_view example;  // as a document writes it
     std::string_view help;     // one line, lower case, no full stop
     bool is_of_drawing = false;
-    bool is_map = false;  // of what pictures and tables say where a symbol stands
+    bool is_map = false;         // of what pictures and tables say where a symbol stands
+    bool is_of_systems = false;  // of drawing, but a subsystem may have its own
 };
 
 std::span<const WordSetting> word_settings();

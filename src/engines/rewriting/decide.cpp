@@ -91,12 +91,13 @@ private:
         const bool is_certain = first.left.empty() && first.right.empty() && !first.condition &&
                                 first.assignments.empty() && first.successors.size() == 1;
         if (!is_certain || !is_fixed(first.successors[0])) return true;
-        const std::optional<std::uint32_t> image = image_of(first.successors[0], entry.scope, 0, match_.names());
+        const std::optional<std::uint32_t> image = image_of(first.successors[0], home_of(entry), 0, match_.names());
         if (!image) return false;
         planned.image = *image;
         return true;
     }
 
+    static Home home_of(const SymbolEntry& entry) { return {entry.scope, entry.gait}; }
     static bool is_fixed(const Successor& successor) {
         return successor.kind == Successor::Kind::pattern && is_constant(successor.pattern);
     }
@@ -109,9 +110,10 @@ private:
         plan_.images.push_back(std::move(image));
         return static_cast<std::uint32_t>(plan_.images.size() - 1);
     }
-    std::optional<std::uint32_t> image_of_letters(const std::u32string& letters, const Roles& roles,
-                                                  std::uint32_t scope) {
-        std::optional<std::vector<Symbol>> symbols = symbols_of(letters, roles, scope, derivation_.alphabet);
+    std::optional<std::uint32_t> image_of_letters(const std::u32string& letters, const Roles& roles, Home home) {
+        return image_of_symbols(symbols_of(letters, roles, home, derivation_.alphabet));
+    }
+    std::optional<std::uint32_t> image_of_symbols(std::optional<std::vector<Symbol>> symbols) {
         if (!symbols) {
             fail(too_many_symbols());
             return std::nullopt;
@@ -119,19 +121,19 @@ private:
         return add_image({std::move(*symbols), false});
     }
 
-    std::optional<std::uint32_t> image_of(const Successor& successor, std::uint32_t scope, std::size_t index,
+    std::optional<std::uint32_t> image_of(const Successor& successor, Home home, std::size_t index,
                                           const Scope& names) {
-        if (successor.kind == Successor::Kind::jump) return image_of_jump(successor, scope, index, names);
-        if (successor.kind == Successor::Kind::lookup) return image_of_lookup(successor.lookup, scope, index, names);
+        if (successor.kind == Successor::Kind::jump) return image_of_jump(successor, home, index, names);
+        if (successor.kind == Successor::Kind::lookup) return image_of_lookup(successor.lookup, home, index, names);
         const Pattern* pattern = &successor.pattern;
         if (successor.kind == Successor::Kind::cell) pattern = cell_of(successor, names);
         if (pattern == nullptr) return std::nullopt;
-        return image_of_pattern(*pattern, scope, names);
+        return image_of_pattern(*pattern, home, names);
     }
     // What the target's first rule puts in that iteration; drawn among its successors by the symbol that jumps.
-    std::optional<std::uint32_t> image_of_jump(const Successor& jump, std::uint32_t scope, std::size_t index,
+    std::optional<std::uint32_t> image_of_jump(const Successor& jump, Home home, std::size_t index,
                                                const Scope& names) {
-        const std::optional<const Rule*> found = match_.first_rule(scope, jump.target, jump.target_iteration);
+        const std::optional<const Rule*> found = match_.first_rule(home.scope, jump.target, jump.target_iteration);
         if (!found) return std::nullopt;
         if (*found == nullptr) return kept_image();
         const Rule& target = **found;
@@ -140,10 +142,10 @@ private:
         if (*which == target.successors.size()) return kept_image();
         const Successor& successor = target.successors[*which];
         if (successor.kind == Successor::Kind::jump) return kept_image();
-        return image_of(successor, scope, index, names);
+        return image_of(successor, home, index, names);
     }
 
-    std::optional<std::uint32_t> image_of_lookup(const Lookup& lookup, std::uint32_t scope, std::size_t index,
+    std::optional<std::uint32_t> image_of_lookup(const Lookup& lookup, Home home, std::size_t index,
                                                  const Scope& names) {
         if (!match_.find_positions()) return std::nullopt;
         const std::optional<MapValue> value = match_.value_looked_up(lookup, index);
@@ -153,18 +155,18 @@ private:
             return some.low <= number && number <= some.high;
         });
         if (row == lookup.rows.end()) return kept_image();
-        if (is_constant(row->pattern)) return image_of_pattern(row->pattern, scope, names);
+        if (is_constant(row->pattern)) return image_of_pattern(row->pattern, home, names);
         Scope inner;
         inner.outer = &names;
         set_names(*value, inner);
-        return image_of_pattern(row->pattern, scope, inner);
+        return image_of_pattern(row->pattern, home, inner);
     }
 
     // Fixed ones are made once an iteration.
-    std::optional<std::uint32_t> image_of_pattern(const Pattern& pattern, std::uint32_t scope, const Scope& names) {
+    std::optional<std::uint32_t> image_of_pattern(const Pattern& pattern, Home home, const Scope& names) {
         const bool is_fixed_one = is_constant(pattern);
         if (is_fixed_one) {
-            const auto known = images_of_.find({scope, &pattern});
+            const auto known = images_of_.find({home, &pattern});
             if (known != images_of_.end()) return known->second;
         }
         const Result<std::u32string> letters =
@@ -174,8 +176,8 @@ private:
             fail(letters.diagnostics().front());
             return std::nullopt;
         }
-        const std::optional<std::uint32_t> image = image_of_letters(*letters, match_.system_of(scope).roles, scope);
-        if (image && is_fixed_one) images_of_[{scope, &pattern}] = *image;
+        const std::optional<std::uint32_t> image = image_of_letters(*letters, match_.system_of(home.scope).roles, home);
+        if (image && is_fixed_one) images_of_[{home, &pattern}] = *image;
         return image;
     }
 
@@ -223,16 +225,23 @@ private:
     std::optional<std::uint32_t> begun(std::uint32_t system, Symbol symbol) {
         const auto known = begun_.find(symbol);
         if (known != begun_.end()) return known->second;
-        const auto scope = static_cast<std::uint32_t>(derivation_.scopes.size());
-        derivation_.scopes.push_back({system, match_.next_iteration()});
-        const std::optional<std::uint32_t> image =
-            image_of_pattern(grammar_.systems[system].axiom, scope, match_.names());
+        const SymbolEntry entry = derivation_.alphabet[symbol];
+        const auto next = static_cast<std::uint32_t>(derivation_.scopes.size());
+        const auto [scope, is_new] = begun_scopes_.try_emplace({entry.scope, system}, next);
+        if (is_new) derivation_.scopes.push_back({system, match_.next_iteration()});
+        const std::optional<std::uint32_t> image = image_of_pattern(
+            grammar_.systems[system].axiom, {scope->second, gait_within(system, entry)}, match_.names());
         if (image) begun_.emplace(symbol, *image);
         return image;
     }
 
-    // The word of a system after all its iterations, as letters of the system that puts it.
-    std::optional<std::uint32_t> grown(std::uint32_t system, std::uint32_t scope, std::uint64_t bits) {
+    std::uint32_t gait_within(std::uint32_t system, const SymbolEntry& entry) {
+        Alphabet& alphabet = derivation_.alphabet;
+        return alphabet.number_of(within(grammar_.systems[system].gait, alphabet.gaits()[entry.gait]));
+    }
+
+    // The word of a system after all its iterations, as symbols of the system that puts it.
+    std::optional<std::uint32_t> grown(std::uint32_t system, const SymbolEntry& entry, std::uint64_t bits) {
         if (options_.nested >= most_nested) {
             fail(error("rewriting.endless-subsystem", "a subsystem puts itself, without an end"));
             return std::nullopt;
@@ -241,12 +250,14 @@ private:
         ++options.nested;
         options.seed = fold(options_.seed, bits);
         options.root = Key{bits};
+        options.around = derivation_.alphabet.gaits()[entry.gait];
         const Result<Derivation> inner = derive_system(grammar_, options, system, job_);
         if (!inner) {
             fail(inner.diagnostics().front());
             return std::nullopt;
         }
-        return image_of_letters(letters_of(inner->word, inner->alphabet), match_.system_of(scope).roles, scope);
+        return image_of_symbols(
+            symbols_of(*inner, match_.system_of(entry.scope).roles, entry.scope, derivation_.alphabet));
     }
 
     // --- decisions ---
@@ -303,7 +314,7 @@ private:
         if (entry.role == Role::subsystem) {
             const std::uint32_t system = *find_system(grammar_, entry.letter);
             if (grammar_.systems[system].grows) return begun(system, symbol);
-            return grown(system, entry.scope, match_.bits_at(index, 0, index, 0));
+            return grown(system, entry, match_.bits_at(index, 0, index, 0));
         }
         for (const Rule* rule : candidates_[symbol]) {
             const std::optional<Verdict> verdict = match_.verdict_of(*rule, {place, index});
@@ -314,7 +325,7 @@ private:
             if (!which) return std::nullopt;
             if (*which == rule->successors.size()) return kept_image();
             if (!assign(*rule, names)) return std::nullopt;
-            return image_of(rule->successors[*which], entry.scope, index, names);
+            return image_of(rule->successors[*which], home_of(entry), index, names);
         }
         return kept_image();
     }
@@ -341,7 +352,7 @@ private:
         if (macro == system.macros.end()) return kept_image();
         const auto known = derivation_.recalled.find({entry.scope, entry.letter});
         if (recalls && known != derivation_.recalled.end()) {
-            return image_of_letters(known->second, system.roles, entry.scope);
+            return image_of_letters(known->second, system.roles, home_of(entry));
         }
         const std::uint64_t ordinal = drawn_[{entry.scope, entry.letter}]++;
         std::uint64_t draw = 0;
@@ -359,7 +370,7 @@ private:
         if (known == derivation_.recalled.end() || system.recalls_last) {
             derivation_.recalled[{entry.scope, entry.letter}] = letters;
         }
-        return image_of_letters(letters, system.roles, entry.scope);
+        return image_of_letters(letters, system.roles, home_of(entry));
     }
 
     Derivation& derivation_;
@@ -368,11 +379,12 @@ private:
     const Job& job_;
     RuleMatcher match_;
     StepPlan plan_;
-    std::vector<Register> registers_;                                              // behind the iteration
-    std::vector<std::vector<const Rule*>> candidates_;                             // by symbol
-    std::vector<std::vector<const Rest*>> rests_;                                  // likewise
-    std::map<std::pair<std::uint32_t, const Pattern*>, std::uint32_t> images_of_;  // of fixed patterns
+    std::vector<Register> registers_;                                     // behind the iteration
+    std::vector<std::vector<const Rule*>> candidates_;                    // by symbol
+    std::vector<std::vector<const Rest*>> rests_;                         // likewise
+    std::map<std::pair<Home, const Pattern*>, std::uint32_t> images_of_;  // of fixed patterns
     std::map<Symbol, std::uint32_t> begun_;  // images of axioms, by the symbol that they are put for
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> begun_scopes_;  // by outer scope and system
     std::optional<std::uint32_t> kept_;
     std::map<std::pair<std::uint32_t, char32_t>, std::uint64_t> drawn_;  // so far in this iteration
 };

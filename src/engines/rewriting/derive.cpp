@@ -40,22 +40,52 @@ bool draws(const Grammar& grammar) {
     });
 }
 
+// Of letters that come one by one.
+class SymbolReader {
+public:
+    SymbolReader(const Roles& roles, Alphabet& alphabet) : roles_(roles), alphabet_(alphabet) {}
+
+    std::vector<Symbol> symbols;
+
+    bool read(char32_t letter, Home home) {
+        Role role = roles_.of(letter);
+        if (is_behind_run_ && roles_.inverters.find(letter) != std::u32string::npos) role = Role::inverter;
+        const std::optional<Symbol> symbol = alphabet_.number_of({letter, role, home.scope, home.gait});
+        if (!symbol) return false;
+        symbols.push_back(*symbol);
+        if (role != Role::freeze) is_behind_run_ = role == Role::counter;
+        return true;
+    }
+
+private:
+    const Roles& roles_;
+    Alphabet& alphabet_;
+    bool is_behind_run_ = false;
+};
+
 }  // namespace
 
-std::optional<std::vector<Symbol>> symbols_of(std::u32string_view letters, const Roles& roles, std::uint32_t scope,
+std::optional<std::vector<Symbol>> symbols_of(std::u32string_view letters, const Roles& roles, Home home,
                                               Alphabet& alphabet) {
-    std::vector<Symbol> symbols;
-    symbols.reserve(letters.size());
-    bool is_behind_run = false;
+    SymbolReader reader(roles, alphabet);
+    reader.symbols.reserve(letters.size());
     for (const char32_t letter : letters) {
-        Role role = roles.of(letter);
-        if (is_behind_run && roles.inverters.find(letter) != std::u32string::npos) role = Role::inverter;
-        const std::optional<Symbol> symbol = alphabet.number_of({letter, role, scope});
-        if (!symbol) return std::nullopt;
-        symbols.push_back(*symbol);
-        if (role != Role::freeze) is_behind_run = role == Role::counter;
+        if (!reader.read(letter, home)) return std::nullopt;
     }
-    return symbols;
+    return std::move(reader.symbols);
+}
+
+std::optional<std::vector<Symbol>> symbols_of(const Derivation& derived, const Roles& roles, std::uint32_t scope,
+                                              Alphabet& alphabet) {
+    std::vector<std::uint32_t> gaits;  // by their numbers there
+    for (const Gait& gait : derived.alphabet.gaits()) gaits.push_back(alphabet.number_of(gait));
+    SymbolReader reader(roles, alphabet);
+    reader.symbols.reserve(derived.word.size());
+    for (const Symbol symbol : derived.word.symbols) {
+        const SymbolEntry& entry = derived.alphabet[symbol];
+        if (!reader.read(entry.letter, {scope, gaits[entry.gait]})) return std::nullopt;
+    }
+    return std::move(reader.symbols);
 }
 
 void begin_columns(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options) {
@@ -82,7 +112,8 @@ Result<Derivation> begin(const Grammar& grammar, const DeriveOptions& options, s
     for (const Register& known : grammar.registers) names.names[known.name] = Value{Quantity{known.value}, {}};
     const Result<std::u32string> axiom = put_text(system.axiom, options.document, names, options.limits.elements);
     if (!axiom) return axiom.diagnostics();
-    std::optional<std::vector<Symbol>> symbols = symbols_of(*axiom, system.roles, 0, derivation.alphabet);
+    const Home home{0, derivation.alphabet.number_of(within(system.gait, options.around))};
+    std::optional<std::vector<Symbol>> symbols = symbols_of(*axiom, system.roles, home, derivation.alphabet);
     if (!symbols) return too_many_symbols();
     drop_leading_freezes(*symbols);
     Word& word = derivation.word;

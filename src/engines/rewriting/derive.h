@@ -41,6 +41,7 @@ struct DeriveOptions {
     // empty: under none.
     std::function<Result<std::vector<Vec>>(const Derivation&)> positions = {};
     std::uint32_t nested = 0;  // subsystems around this derivation
+    Gait around = {};          // of the symbol in whose place this word will stand
 };
 
 // A derivation under way, as plain data: a copy goes on by itself.
@@ -85,9 +86,20 @@ void begin_columns(Derivation& derivation, const Grammar& grammar, const DeriveO
 // registers keep their values, new ones have those that they begin with.
 void go_on_with(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options);
 
+// What letters that one system reads belong to.
+struct Home {
+    std::uint32_t scope = 0, gait = 0;  // as in SymbolEntry
+
+    auto operator<=>(const Home&) const = default;
+};
+
 // The symbols of letters that one system reads: an inverter is known by what stands before it. None where there are
 // too many symbols.
-std::optional<std::vector<Symbol>> symbols_of(std::u32string_view letters, const Roles& roles, std::uint32_t scope,
+std::optional<std::vector<Symbol>> symbols_of(std::u32string_view letters, const Roles& roles, Home home,
+                                              Alphabet& alphabet);
+
+// The same of a word that was derived on its own: its symbols keep their gaits.
+std::optional<std::vector<Symbol>> symbols_of(const Derivation& derived, const Roles& roles, std::uint32_t scope,
                                               Alphabet& alphabet);
 
 }  // namespace filigree::rewriting

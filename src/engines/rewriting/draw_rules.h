@@ -35,7 +35,8 @@ std::size_t form_number(const TurtleDrawing& turtled, std::uint32_t name);
 // What `letter` places: the forms of starts, and box.
 const std::vector<OperatorDescription>& letter_forms();
 
-// Reads the settings of the outermost system that word_settings.h has for drawing. Errors as for all settings.
+// Reads the settings of the outermost system that word_settings.h has for drawing. Errors as for all settings. What
+// subsystems say is in the grammar (System::gait).
 Result<DrawRules> read_draw_rules(const Settings& settings, const Document& document);
 
 }  // namespace filigree::rewriting

@@ -104,6 +104,7 @@ struct System {
     bool grows = false;         // a subsystem: rewritten along with the others, instead of put as a whole
     AfterRows after = AfterRows::identity;
     bool recalls_last = false;  // R= is what the last R drew, instead of the first
+    Gait gait;                  // of a subsystem; where the document says no step, its own is so many times that
 };
 
 enum class OutOfRange : std::uint8_t { error, wrap, clamp };

@@ -40,7 +40,7 @@ std::optional<Substitution> plain_substitution(Derivation& derivation, const Gra
         if (rule == system.rules.end()) continue;
         const Result<std::u32string> letters = expanded(rule->successors[0].pattern, max_image, {});
         if (!letters) return std::nullopt;
-        const auto image = symbols_of(*letters, system.roles, 0, derivation.alphabet);
+        const auto image = symbols_of(*letters, system.roles, {0, entry.gait}, derivation.alphabet);
         if (!image || std::find(image->begin(), image->end(), Alphabet::freeze) != image->end()) return std::nullopt;
         substitution.images[s] = *image;
     }

@@ -86,6 +86,10 @@ private:
         grammar_.systems.emplace_back();
         grammar_.systems.back().letter = letter;
         grammar_.systems.back().grows = grows;
+        Gait& gait = grammar_.systems.back().gait;
+        if (chance(30)) gait.angle = random_.below(90);
+        if (chance(30)) gait.angle2 = random_.below(90);
+        if (chance(30)) gait.step = 1 + random_.below(9);
     }
 
     void choose_letters(std::size_t which) {
@@ -345,6 +349,11 @@ inline std::string described(const System& system) {
           std::pair(&system.roles.followers, &usual.followers)}) {
         if (*mine != *theirs)
             text += "of " + to_utf8(*theirs) + " only these keep their role: " + to_utf8(*mine) + "\n";
+    }
+    for (const auto& [name, value] :
+         {std::pair("angle ", &system.gait.angle), std::pair("angle2 ", &system.gait.angle2),
+          std::pair("step ", &system.gait.step)}) {
+        if (*value) text += name + filigree::to_text(**value) + "\n";
     }
     if (!system.ignored.empty()) text += "ignore " + to_utf8(system.ignored) + "\n";
     for (const Gain& gain : system.gains) text += "gain " + letter_text(gain.letter) + " " + number(gain.by) + "\n";

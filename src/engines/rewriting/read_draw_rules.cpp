@@ -15,8 +15,6 @@
 namespace filigree::rewriting {
 namespace {
 
-constexpr double largest_length = 0x1p20;  // px
-
 struct ActWord {
     std::string_view word;
     Act act;
@@ -81,6 +79,7 @@ private:
             const auto* setting = std::get_if<SettingStatement>(&statement.node);
             if (setting == nullptr || !find_word_setting(setting->name.text)->is_of_drawing) continue;
             const std::string& name = setting->name.text;
+            if (!is_outermost && find_word_setting(name)->is_of_systems) continue;  // read_grammar
             if (!is_outermost) {
                 values_.report(error("rewriting.misplaced-setting",
                                      "'" + name + "' is said of the whole document, outside its systems",
@@ -110,10 +109,10 @@ private:
         } else if (name == "plus") {
             turtle.plus = static_cast<PlusTurn>(values_.one_of(value, {"clockwise", "counterclockwise"}));
         } else if (name == "step") {
-            turtle.step = length(value, 1e-6);
+            turtle.step = values_.length_from(value, smallest_step).value_or(1);
             rules_.has_own_step = true;
         } else if (name == "width") {
-            turtle.width = length(value, 0);
+            turtle.width = values_.length_from(value, 0).value_or(1);
         } else if (name == "tubes") {
             rules_.tubes = static_cast<std::uint32_t>(values_.whole_of(value, 3, 64).value_or(3));
         } else if (name == "widening") {
@@ -123,13 +122,6 @@ private:
             }
             turtle.width_ratio = ratio.value_or(1);
         }
-    }
-    double length(const ExpressionPtr& value, double least) {
-        const std::optional<double> px = values_.length_of(value);
-        if (px && !(*px >= least && *px <= largest_length)) {
-            values_.report(error("rewriting.out-of-range", "this length is too small or too large", value->span));
-        }
-        return px.value_or(1);
     }
 
     void read_letter(const SettingStatement& setting) {

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "engines/rewriting/pattern.h"
-#include "engines/rewriting/setting_values.h"
 #include "engines/rewriting/read_edit.h"
 #include "engines/rewriting/read_lookup.h"
+#include "engines/rewriting/setting_values.h"
 #include "engines/rewriting/symbol_facts.h"
 #include "formats/csv_read.h"
 #include "language/check.h"
@@ -298,8 +298,10 @@ private:
         const Name* axiom = nullptr;
         for (const Statement& statement : statements) {
             if (const auto* setting = std::get_if<SettingStatement>(&statement.node)) {
-                if (find_word_setting(setting->name.text)->is_of_drawing) continue;  // read_draw_rules
-                if (find_word_setting(setting->name.text)->is_map) continue;         // read_maps
+                const WordSetting& known = *find_word_setting(setting->name.text);
+                const bool is_of_gait = which != 0 && known.is_of_systems;
+                if (known.is_of_drawing && !is_of_gait) continue;  // read_draw_rules
+                if (known.is_map) continue;                        // read_maps
                 const bool may_repeat = setting->name.text == "free" || setting->name.text == "array" ||
                                         setting->name.text == "register" || setting->name.text == "gain";
                 if (!may_repeat && !said.insert(setting->name.text).second) {
@@ -418,7 +420,24 @@ private:
             system.ignored = letters_of(*text);
         } else if (name == "mode") {
             system.grows = one_of(value, {"instant", "grow"}) == 1;
+        } else if (name == "angle") {
+            system.gait.angle = angle_of(value);
+        } else if (name == "angle2") {
+            system.gait.angle2 = angle_of(value);
+        } else if (name == "step") {
+            system.gait.step = own_step(value);
         }
+    }
+    // Where the document says none, it goes 1 px, and who says 2 goes twice as far, whatever the unit.
+    std::optional<double> own_step(const ExpressionPtr& value) {
+        const std::optional<double> step = length_from(value, smallest_step);
+        const bool is_said =
+            std::any_of(document_.statements.begin(), document_.statements.end(), [](const Statement& statement) {
+                const auto* setting = std::get_if<SettingStatement>(&statement.node);
+                return setting != nullptr && setting->name.text == "step";
+            });
+        if (!step || is_said) return step;
+        return *step / *as_length(Value{Quantity{1}, value->span}, document_);
     }
     void read_gain(const SettingStatement& setting, System& system) {
         if (setting.values.size() % 2 != 0) return fail_usage(setting);

@@ -31,6 +31,11 @@ std::string difference(const Derivation& engine, const reference::State& wanted,
         return text;
     };
     if (to_text(engine.word, engine.alphabet) != to_utf8(reference::text_of(wanted.word))) return problem("text");
+    std::vector<Gait> gaits;
+    for (const Symbol symbol : engine.word.symbols) {
+        if (symbol != Alphabet::freeze) gaits.push_back(engine.alphabet.gaits()[engine.alphabet[symbol].gait]);
+    }
+    if (gaits != column(wanted.word, &reference::Unit::gait)) return problem("gaits");
     const auto ages = column(wanted.word, &reference::Unit::age);
     if ((with_ages || !engine.word.ages.empty()) && engine.word.ages != ages) {
         return problem("ages") + "\n  engine    " + listed(engine.word.ages) + "\n  reference " + listed(ages);
@@ -128,6 +133,12 @@ TEST(Reference, EngineAgreesOverWhatWasOnceDifferent) {
         {"axiom \"rr=\"\nc -> \"x\" loop 1\nc -> \"y\" loop 2\nr@2 -> goto c@1\nr@1 -> goto c@3"},
         // Registers are known from the start.
         {"axiom \"a{$k+}\"\nregister k 2"},
+        // Runs are runs, however their members are drawn, and grow as the last of them.
+        {"axiom \"qqAi\"\nsystem A { axiom \"qq\"; angle 7 }"},
+        {"axiom \"qAqBq\"\ngain q 2\nsystem A { axiom \"q\"; step 3 }\nsystem B { axiom \"qi\"; step 2 }"},
+        // What grows for letters that are drawn in different ways is one system.
+        {"axiom \"AB\"\nsystem A { axiom \"B\"; angle 7 }\nsystem B { axiom \"R=\"; mode grow; iterations 3; "
+         "R = random 1..3 \"abR\" }"},
         // A symbol that might put a system, but stands nowhere any more.
         {"axiom \"B\"\nsystem B { axiom \"abc\"; mode grow; iterations 1 }", 120},
     };

@@ -35,6 +35,7 @@ struct Unit {
     std::uint32_t origin = 0;   // of an n-tilde
     bool is_inverter = false;
     Instance instance;
+    Gait gait;
     std::uint64_t key = 0;
     std::uint32_t age = 1;
 };
@@ -59,6 +60,7 @@ struct State {
     std::uint64_t seed = 0;
     std::size_t most = 2000;  // units
     std::uint32_t system = 0;
+    Gait around;  // of the unit in whose place the word will stand
     std::uint32_t iteration = 0;
     Units word;
     std::vector<Register> registers;
@@ -77,7 +79,7 @@ inline std::u32string text_of(const Units& word) {
 }
 
 // A text as units, '=' being units of their own.
-inline Units units_of(std::u32string_view text, const Grammar& grammar, Instance instance) {
+inline Units units_of(std::u32string_view text, const Grammar& grammar, Instance instance, const Gait& gait) {
     const Roles& roles = grammar.systems[instance.system].roles;
     Units units;
     bool is_behind_counter = false;
@@ -85,6 +87,7 @@ inline Units units_of(std::u32string_view text, const Grammar& grammar, Instance
         Unit unit;
         unit.letter = letter;
         unit.instance = instance;
+        unit.gait = gait;
         if (letter != U'=') {
             unit.is_inverter = is_behind_counter && contains(roles.inverters, letter);
             is_behind_counter = roles.of(letter) == Role::counter;
@@ -93,6 +96,14 @@ inline Units units_of(std::u32string_view text, const Grammar& grammar, Instance
         units.push_back(unit);
     }
     return units;
+}
+
+// That of a system, put where another was.
+inline Gait gait_of(const System& system, Gait gait) {
+    if (system.gait.angle) gait.angle = system.gait.angle;
+    if (system.gait.angle2) gait.angle2 = system.gait.angle2;
+    if (system.gait.step) gait.step = system.gait.step;
+    return gait;
 }
 
 // Every '=' goes to the unit before it; where there is none, it is dropped.
@@ -171,7 +182,8 @@ inline Outcome begin(State& state, const Grammar& grammar, std::uint64_t seed, K
     state.registers = grammar.registers;
     const auto text = written_out(grammar.systems[system].axiom.parts, Asking(state.registers), state.most);
     if (!text) return Outcome::wrong;
-    state.word = with_freezes_attached(units_of(*text, grammar, {system, 0}));
+    const Gait gait = gait_of(grammar.systems[system], state.around);
+    state.word = with_freezes_attached(units_of(*text, grammar, {system, 0}, gait));
     for (std::size_t i = 0; i < state.word.size(); ++i) state.word[i].key = fold(root.value, i);
     return state.word.size() > state.most ? Outcome::too_large : Outcome::fine;
 }
@@ -559,7 +571,7 @@ private:
         if (rests(p)) return untouched(p);
         if (unit.is_inverter) return copied(p);
         if (role == Role::self) return repeated(p);
-        if (role == Role::macro) return replaced(p, units_of(macro_text(p), grammar_, unit.instance));
+        if (role == Role::macro) return replaced(p, units_of(macro_text(p), grammar_, unit.instance, unit.gait));
         if (role == Role::subsystem) return of_subsystem(p);
         return rewritten(p, role);
     }
@@ -576,7 +588,7 @@ private:
         }
         const std::optional<std::u32string> text = text_put(*successor, p);
         if (!text) return copied(p);
-        Units children = units_of(*text, grammar_, unit.instance);
+        Units children = units_of(*text, grammar_, unit.instance, unit.gait);
         std::uint32_t times = 1, origin = 1;
         if (role == Role::follower) times = origin = unit.origin;
         if (role == Role::ordinal) {
@@ -686,14 +698,21 @@ private:
             const std::optional<std::u32string> axiom =
                 written_out(inner.axiom.parts, Asking(state_.registers), state_.most);
             if (!axiom) fail(Outcome::wrong);
-            return axiom ? replaced(p, units_of(*axiom, grammar_, {which, now_})) : Change{};
+            if (!axiom) return {};
+            return replaced(p, units_of(*axiom, grammar_, {which, now_}, gait_of(inner, unit.gait)));
         }
         const std::uint64_t bits = bits_at(p, 0, p, 0);
         State state;
         state.most = state_.most;
+        state.around = unit.gait;
         fail(begin(state, grammar_, fold(state_.seed, bits), Key{bits}, which));
         while (outcome_ == Outcome::fine && state.iteration < inner.iterations) fail(step(state, grammar_));
-        return replaced(p, units_of(text_of(state.word), grammar_, unit.instance));
+        Units children = units_of(text_of(state.word), grammar_, unit.instance, {});
+        std::size_t of = 0;
+        for (Unit& child : children) {
+            if (child.letter != U'=') child.gait = state.word[of++].gait;
+        }
+        return replaced(p, children);
     }
 
     // --- ages ---

@@ -96,7 +96,13 @@ public:
         repeat(in_.word.symbols[place], 1);
         if (origin != 0) out_.origins.push_back(origin);
     }
-    void keep_run(std::size_t begin, std::size_t end, std::size_t) { repeat(in_.word.symbols[begin], end - begin); }
+    void keep_run(std::size_t begin, std::size_t end, std::size_t) {
+        while (begin < end) {
+            const std::size_t next = in_.has_gaits ? std::min(end, end_of_stretch(in_.word.symbols, begin)) : end;
+            repeat(in_.word.symbols[begin], next - begin);
+            begin = next;
+        }
+    }
     void repeat(Symbol symbol, std::uint64_t count) {
         if (count > block_size) {
             flush();

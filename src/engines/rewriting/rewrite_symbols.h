@@ -42,11 +42,13 @@ struct Rewriting {
     const StepPlan& plan;
     QuickTable quick;
     bool may_put_followers = false;
+    bool has_gaits = false;  // symbols that are rewritten alike may differ
 
     Rewriting(const Word& of, const Alphabet& by, const StepPlan& as_planned)
         : word(of), alphabet(by), plan(as_planned), quick(as_planned, by) {
         for (std::size_t s = 0; s < alphabet.size(); ++s) {
             may_put_followers = may_put_followers || alphabet[static_cast<Symbol>(s)].role == Role::follower;
+            has_gaits = has_gaits || alphabet[static_cast<Symbol>(s)].gait != 0;
         }
     }
 
@@ -71,8 +73,8 @@ struct Progress {
     std::uint32_t run_gain = 0;
 };
 
-// Where the run of the symbol at a place ends.
-inline std::size_t end_of_run(const std::vector<Symbol>& symbols, std::size_t place) {
+// Where the stretch of a symbol that begins at a place ends.
+inline std::size_t end_of_stretch(const std::vector<Symbol>& symbols, std::size_t place) {
     const Symbol symbol = symbols[place];
     const std::uint64_t eight_alike = symbol * 0x0101010101010101U;
     std::size_t end = place + 1;
@@ -85,13 +87,25 @@ inline std::size_t end_of_run(const std::vector<Symbol>& symbols, std::size_t pl
     return end;
 }
 
+// Where the run of the symbol at a place ends: however it is drawn.
+inline std::size_t end_of_run(const Rewriting& in, std::size_t place) {
+    const std::vector<Symbol>& symbols = in.word.symbols;
+    std::size_t end = end_of_stretch(symbols, place);
+    const auto goes_on = [&] {
+        const SymbolEntry &here = in.alphabet[symbols[end - 1]], &next = in.alphabet[symbols[end]];
+        return next.letter == here.letter && next.role == here.role && next.scope == here.scope;
+    };
+    while (in.has_gaits && end < symbols.size() && goes_on()) end = end_of_stretch(symbols, end);
+    return end;
+}
+
 // Looks at the run of q or g that stands at a place. Only its last member can be frozen or rest, which ends the run and
 // holds it.
 inline void meet_run(const Rewriting& in, std::size_t place, Progress& progress) {
     const std::vector<Symbol>& symbols = in.word.symbols;
     const Symbol symbol = symbols[place];
     const std::uint32_t gain = in.plan.entries[symbol].gain;
-    std::size_t end = end_of_run(symbols, place);
+    std::size_t end = end_of_run(in, place);
     for (std::size_t member = place; !in.plan.resting.empty() && member + 1 < end; ++member) {
         if (in.plan.rests(member)) end = member + 1;
     }
@@ -107,14 +121,13 @@ inline void meet_run(const Rewriting& in, std::size_t place, Progress& progress)
 // The members of a run up to `end`, or where it ends before; returns where that was.
 template <class Out>
 std::size_t rewrite_run(const Rewriting& in, std::size_t place, std::size_t end, Progress& progress, Out& out) {
-    const Symbol symbol = in.word.symbols[place];
     if (place >= progress.run_end) meet_run(in, place, progress);
     const std::size_t behind = std::min(end, progress.run_end);
     const std::size_t kept_behind = std::clamp(progress.run_kept, place, behind);
     out.keep_run(place, kept_behind, progress.index);
     progress.index += behind - place;
     out.at(progress.index - 1);
-    if (behind == progress.run_end) out.repeat(symbol, progress.run_gain);
+    if (behind == progress.run_end) out.repeat(in.word.symbols[behind - 1], progress.run_gain);
     return behind;
 }
 

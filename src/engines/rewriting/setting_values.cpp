@@ -53,6 +53,12 @@ std::optional<double> SettingValues::angle_of(const ExpressionPtr& expression) {
 std::optional<double> SettingValues::length_of(const ExpressionPtr& expression) {
     return converted(expression, [&](const Value& value) { return as_length(value, document_); });
 }
+std::optional<double> SettingValues::length_from(const ExpressionPtr& expression, double least) {
+    const std::optional<double> px = length_of(expression);
+    if (!px || (*px >= least && *px <= largest_length)) return px;
+    report(error("rewriting.out-of-range", "this length is too small or too large", expression->span));
+    return std::nullopt;
+}
 
 std::optional<double> SettingValues::whole_of(const ExpressionPtr& expression, double least, double most) {
     const std::optional<double> number = number_of(expression);

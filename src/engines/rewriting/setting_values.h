@@ -13,6 +13,9 @@
 
 namespace filigree::rewriting {
 
+constexpr double largest_length = 0x1p20;  // px
+constexpr double smallest_step = 1e-6;
+
 class SettingValues {
 public:
     SettingValues(const Settings& settings, const Document& document) : settings_(settings), document_(document) {}
@@ -28,8 +31,9 @@ public:
     // Nothing is given back for what is wrong, which is reported. `words` mean themselves.
     std::optional<Value> value_of(const ExpressionPtr& expression, std::vector<std::string_view> words = {});
     std::optional<double> number_of(const ExpressionPtr& expression);
-    std::optional<double> angle_of(const ExpressionPtr& expression);   // degrees
-    std::optional<double> length_of(const ExpressionPtr& expression);  // px
+    std::optional<double> angle_of(const ExpressionPtr& expression);                   // degrees
+    std::optional<double> length_of(const ExpressionPtr& expression);                  // px
+    std::optional<double> length_from(const ExpressionPtr& expression, double least);  // to largest_length
     std::optional<double> whole_of(const ExpressionPtr& expression, double least, double most);
     std::optional<char32_t> letter_of(const ExpressionPtr& expression);  // bare or in quotes
     std::size_t one_of(const ExpressionPtr& expression, std::initializer_list<std::string_view> words);

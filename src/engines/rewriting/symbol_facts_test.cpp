@@ -35,7 +35,7 @@ TEST(SymbolFacts, AreAttributesOfWords) {
         const std::u32string text = random_word(random, 40);
         Alphabet alphabet;
         Word word;
-        word.symbols = *symbols_of(text, Roles{}, random.below(2), alphabet);
+        word.symbols = *symbols_of(text, Roles{}, {random.below(2), 0}, alphabet);
         const SymbolFacts facts(word, alphabet, all);
         const std::vector<EditToken> tokens = edit_tokens(text);
         const std::vector<SymbolAttributes> attributes = attributes_of(text, tokens);

@@ -29,10 +29,7 @@ void Roles::free(char32_t letter) {
 }
 
 std::optional<Symbol> Alphabet::find(const SymbolEntry& entry) const {
-    const auto same = [&](const SymbolEntry& known) {
-        return known.letter == entry.letter && known.role == entry.role && known.scope == entry.scope;
-    };
-    const auto found = std::find_if(entries_.begin(), entries_.end(), same);
+    const auto found = std::find(entries_.begin(), entries_.end(), entry);
     if (found == entries_.end()) return std::nullopt;
     return static_cast<Symbol>(found - entries_.begin());
 }
@@ -45,9 +42,21 @@ std::optional<Symbol> Alphabet::number_of(const SymbolEntry& entry) {
     return static_cast<Symbol>(entries_.size() - 1);
 }
 
+std::uint32_t Alphabet::number_of(const Gait& gait) {
+    const auto found = std::find(gaits_.begin(), gaits_.end(), gait);
+    const auto number = static_cast<std::uint32_t>(found - gaits_.begin());
+    if (found == gaits_.end()) gaits_.push_back(gait);
+    return number;
+}
+
+Gait within(const Gait& inner, const Gait& around) {
+    return {inner.angle ? inner.angle : around.angle, inner.angle2 ? inner.angle2 : around.angle2,
+            inner.step ? inner.step : around.step};
+}
+
 Diagnostic too_many_symbols() {
     return error("rewriting.too-many-symbols", "this grammar has more than 256 different symbols", {},
-                 {"the same letter counts once in every subsystem"});
+                 {"the same letter counts once in every subsystem, and once for each angle and step it is drawn by"});
 }
 
 bool is_blank(char32_t letter) {

@@ -3,8 +3,9 @@
 // A symbol is any character of Unicode but a blank. What letters mean depends on the system that they belong to: in
 // gdesign `= { } s n q g i` and ñ are special unless freed, `A B C R S W` only where they are declared (Roncoroni and
 // Crousse, "Expansion of the symbolic language"). The same letter of two systems is two symbols that print alike, and
-// an `i` behind `q` or `g` (the inverter) is another symbol than any other `i`. A word holds one byte a symbol, so one
-// document may have 256 of them.
+// an `i` behind `q` or `g` (the inverter) is another symbol than any other `i`. A letter that a subsystem with a gait
+// of its own has put is another symbol, too, which is rewritten alike. A word holds one byte a symbol, so one document
+// may have 256 of them.
 #pragma once
 
 #include <cstdint>
@@ -41,17 +42,30 @@ struct Roles {
     void free(char32_t letter);      // without a role from now on
 };
 
+// How a subsystem lets the turtle go where it has put symbols, as far as it says so: what it leaves open is as around
+// it.
+struct Gait {
+    std::optional<double> angle = {}, angle2 = {};  // degrees, as in TurtleSettings
+    std::optional<double> step = {};                // px
+
+    bool operator==(const Gait&) const = default;
+};
+Gait within(const Gait& inner, const Gait& around);
+
 struct SymbolEntry {
     char32_t letter = 0;  // as it is printed
     Role role = Role::ordinary;
     std::uint32_t scope = 0;  // in which it is rewritten: Derivation::scopes
+    std::uint32_t gait = 0;   // how it is drawn: Alphabet::gaits
+
+    bool operator==(const SymbolEntry&) const = default;
 };
 
 class Alphabet {
 public:
     static constexpr Symbol freeze = 0;
 
-    Alphabet() { entries_.push_back({U'=', Role::freeze, 0}); }
+    Alphabet() { entries_.push_back({U'=', Role::freeze}); }
 
     // The number of a symbol, a new one where there is none; none where there are too many.
     std::optional<Symbol> number_of(const SymbolEntry& entry);
@@ -59,8 +73,13 @@ public:
     const SymbolEntry& operator[](Symbol symbol) const { return entries_[symbol]; }
     std::size_t size() const { return entries_.size(); }
 
+    // The number of a gait, a new one where there is none. The first is the document's own, which says nothing.
+    std::uint32_t number_of(const Gait& gait);
+    const std::vector<Gait>& gaits() const { return gaits_; }
+
 private:
     std::vector<SymbolEntry> entries_;
+    std::vector<Gait> gaits_ = std::vector<Gait>(1);
 };
 
 Diagnostic too_many_symbols();

@@ -83,8 +83,8 @@ struct Places {
 
 Result<TurtleDrawing> turtle_drawing(const Word& word, const Alphabet& alphabet, const TurtleSettings& settings,
                                      std::uint64_t most_elements, TurtleDrawing reuse) {
-    if (auto wrong = check_settings(settings)) return *std::move(wrong);
-    TurtleLetters letters = turtle_letters(alphabet, settings.letters);
+    if (auto wrong = check_settings(settings, alphabet)) return *std::move(wrong);
+    TurtleLetters letters = turtle_letters(alphabet, settings);
     const TurtleCounts counts = count_acts(word, alphabet, letters);
     const std::uint64_t elements = counts.segments + counts.shapes + counts.corners;
     if (elements > most_elements) return too_much_to_draw(elements, "segments, shapes and corners", most_elements);
@@ -119,8 +119,8 @@ Result<TurtleDrawing> turtle_drawing(const Word& word, const Alphabet& alphabet,
 
 Result<std::vector<Vec>> symbol_positions(const Word& word, const Alphabet& alphabet, const TurtleSettings& settings,
                                           std::uint64_t most_elements) {
-    if (auto wrong = check_settings(settings)) return *std::move(wrong);
-    const TurtleLetters letters = turtle_letters(alphabet, settings.letters);
+    if (auto wrong = check_settings(settings, alphabet)) return *std::move(wrong);
+    const TurtleLetters letters = turtle_letters(alphabet, settings);
     const TurtleCounts counts = count_acts(word, alphabet, letters);
     if (word.size() > most_elements) return too_much_to_draw(word.size(), "symbols", most_elements);
     Places places{word, {}};

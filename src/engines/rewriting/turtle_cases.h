@@ -17,11 +17,13 @@ struct TurtleWord {
     Word word;
 };
 
-// Letters for which there is no room are left out.
-inline TurtleWord turtle_word(std::u32string_view letters) {
+// Letters for which there is no room are left out. `gaits`: of each letter, or none.
+inline TurtleWord turtle_word(std::u32string_view letters, const std::vector<Gait>& gaits = {}) {
     TurtleWord made;
-    for (const char32_t letter : letters) {
-        const auto symbol = made.alphabet.number_of({letter, letter == U'=' ? Role::freeze : Role::ordinary, 0});
+    for (std::size_t at = 0; at < letters.size(); ++at) {
+        const Role role = letters[at] == U'=' ? Role::freeze : Role::ordinary;
+        const std::uint32_t gait = gaits.empty() ? 0 : made.alphabet.number_of(gaits[at]);
+        const auto symbol = made.alphabet.number_of({letters[at], role, 0, gait});
         if (symbol) made.word.symbols.push_back(*symbol);
     }
     return made;
@@ -72,6 +74,19 @@ inline std::u32string random_letters(CaseRandom& random, std::u32string_view of,
     std::u32string letters;
     for (std::uint32_t left = random.below(most + 1); left > 0; --left) letters += of[random.index(of.size())];
     return letters;
+}
+
+// One of a few for each letter; mostly none.
+inline std::vector<Gait> random_gaits(CaseRandom& random, std::size_t count, bool may_have_steps = true) {
+    std::vector<Gait> known(1 + random.below(5));
+    for (std::size_t g = 1; g < known.size(); ++g) {
+        if (random.coin()) known[g].angle = random_angle(random);
+        if (random.coin()) known[g].angle2 = random_angle(random);
+        if (may_have_steps && random.coin()) known[g].step = random.between(0.1, 8);
+    }
+    std::vector<Gait> gaits(count);
+    for (Gait& gait : gaits) gait = known[random.index(known.size())];
+    return gaits;
 }
 
 }  // namespace filigree::rewriting

@@ -36,7 +36,8 @@ struct FlatPlan {
 constexpr std::uint32_t most_directions = 1 << 16;
 
 std::optional<FlatPlan> flat_plan(Symbols word, const TurtleLetters& letters, const TurtleSettings& settings) {
-    const TurnScale scale = turn_scale(settings.angle, settings.angle2.value_or(settings.angle));
+    const TurnScale& scale = letters.scale;
+    if (!letters.have_one_length) return std::nullopt;
     if (scale.per_turn == 0 || scale.per_turn > most_directions) return std::nullopt;
     if (scale.per_turn > 1024 && scale.per_turn > word.size()) return std::nullopt;  // more to make than to use
     if (!(std::fabs(settings.step) * static_cast<double>(word.size()) < 1e300)) return std::nullopt;
@@ -47,10 +48,6 @@ std::optional<FlatPlan> flat_plan(Symbols word, const TurtleLetters& letters, co
         const auto [c, s] = direction_of_units(units, scale.per_turn);
         plan.steps[units] = {settings.step * c, settings.step * s};
     }
-    const auto turn_of = [&](std::size_t which, bool is_plus) {
-        const std::uint64_t turn = plan.heading_of(static_cast<std::uint64_t>(scale.units[which])) - plan.half_unit();
-        return (is_plus == (settings.plus == PlusTurn::clockwise) ? 0 - turn : turn) & ~flags;
-    };
     for (std::size_t s = 0; s < max_symbols; ++s) {
         switch (letters.acts[s]) {
             case Act::nothing:
@@ -60,17 +57,13 @@ std::optional<FlatPlan> flat_plan(Symbols word, const TurtleLetters& letters, co
                 plan.turns[s] = line_flag;
                 break;
             case Act::plus:
-                plan.turns[s] = turn_of(0, true);
-                break;
             case Act::minus:
-                plan.turns[s] = turn_of(0, false);
-                break;
             case Act::less:
-                plan.turns[s] = turn_of(1, true);
+            case Act::greater: {
+                const auto units = static_cast<std::uint64_t>(letters.turns[s]);
+                plan.turns[s] = (plan.heading_of(units) - plan.half_unit()) & ~flags;
                 break;
-            case Act::greater:
-                plan.turns[s] = turn_of(1, false);
-                break;
+            }
             default:
                 plan.turns[s] = special_flag;
         }
@@ -280,8 +273,8 @@ private:
 
 Result<std::optional<FlatDrawing>> flat_drawing(Symbols word, const Alphabet& alphabet, const TurtleSettings& settings,
                                                 std::uint64_t most_elements, FlatDrawing reuse) {
-    if (auto wrong = check_settings(settings)) return *std::move(wrong);
-    const TurtleLetters letters = turtle_letters(alphabet, settings.letters);
+    if (auto wrong = check_settings(settings, alphabet)) return *std::move(wrong);
+    const TurtleLetters letters = turtle_letters(alphabet, settings);
     const FlatCounts counts = count_flat(word, letters.acts);
     if (counts.others != 0) return std::optional<FlatDrawing>();
     const std::optional<FlatPlan> plan = flat_plan(word, letters, settings);

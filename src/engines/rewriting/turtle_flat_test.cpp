@@ -52,7 +52,10 @@ TEST(TurtleFlat, IsTheGeneralTurtle) {
         SCOPED_TRACE(i);
         CaseRandom random(i);
         const TurtleSettings settings = random_turtle_settings(random);
-        const TurtleWord of = turtle_word(random_letters(random, U"FFFFFFfabn=++++----<>TXYQ[[]]#!,;e", 300));
+        const std::u32string letters = random_letters(random, U"FFFFFFfabn=++++----<>TXYQ[[]]#!,;e", 300);
+        const bool has_gaits = random.below(4) == 0;
+        const TurtleWord of = has_gaits ? turtle_word(letters, random_gaits(random, letters.size(), random.coin()))
+                                        : turtle_word(letters);
         const std::optional<FlatDrawing> fast = flat(of, settings);
         if (!fast) continue;
         ++drawn;

@@ -69,10 +69,7 @@ std::optional<TurtleShrink> shrink_at(const Word& word, const Alphabet& alphabet
     return std::nullopt;
 }
 
-}  // namespace
-
-TurtleLetters turtle_letters(const Alphabet& alphabet, const std::vector<LetterUse>& uses) {
-    TurtleLetters letters;
+void set_acts(TurtleLetters& letters, const Alphabet& alphabet, const std::vector<LetterUse>& uses) {
     for (std::size_t s = 1; s < alphabet.size(); ++s) {
         const SymbolEntry& entry = alphabet[static_cast<Symbol>(s)];
         letters.acts[s] = usual_act(entry);
@@ -86,6 +83,45 @@ TurtleLetters turtle_letters(const Alphabet& alphabet, const std::vector<LetterU
         letters.names[s] = static_cast<std::uint32_t>(name - names.begin());
         if (name == names.end()) names.push_back(use->shape);
     }
+}
+
+// Of a gait, what it leaves open being as the document says.
+TurtleSettings settings_within(const Gait& gait, const TurtleSettings& settings) {
+    TurtleSettings of;
+    of.angle = gait.angle.value_or(settings.angle);
+    of.angle2 = gait.angle2 ? gait.angle2 : settings.angle2;
+    of.step = gait.step.value_or(settings.step);
+    return of;
+}
+
+void set_measures(TurtleLetters& letters, const Alphabet& alphabet, const TurtleSettings& settings) {
+    std::vector<TurtleSettings> by_gait;
+    std::vector<double> angles;
+    for (const Gait& gait : alphabet.gaits()) {
+        const TurtleSettings& of = by_gait.emplace_back(settings_within(gait, settings));
+        angles.push_back(of.angle);
+        angles.push_back(of.angle2.value_or(of.angle));
+    }
+    letters.scale = turn_scale(angles);
+    for (std::size_t s = 1; s < alphabet.size(); ++s) {
+        const std::size_t gait = alphabet[static_cast<Symbol>(s)].gait;
+        const Act act = letters.acts[s];
+        const bool is_second = act == Act::less || act == Act::greater;
+        const bool is_forth = act == Act::plus || act == Act::less;
+        const Int128 amount = letters.scale.amounts[2 * gait + (is_second ? 1 : 0)];
+        const bool is_opposite = is_forth == (settings.plus == PlusTurn::clockwise);
+        letters.turns[s] = is_opposite ? letters.scale.opposite(amount) : amount;
+        letters.lengths[s] = by_gait[gait].step;
+        if (is_step(act) && by_gait[gait].step != settings.step) letters.have_one_length = false;
+    }
+}
+
+}  // namespace
+
+TurtleLetters turtle_letters(const Alphabet& alphabet, const TurtleSettings& settings) {
+    TurtleLetters letters;
+    set_acts(letters, alphabet, settings.letters);
+    set_measures(letters, alphabet, settings);
     return letters;
 }
 
@@ -130,14 +166,17 @@ TurtleCounts count_acts(const Word& word, const Alphabet& alphabet, const Turtle
     return counts;
 }
 
-std::optional<Diagnostic> check_settings(const TurtleSettings& settings) {
+std::optional<Diagnostic> check_settings(const TurtleSettings& settings, const Alphabet& alphabet) {
     const auto wrong = [](const char* name, double value, const char* wanted) {
         return error("rewriting.turtle-setting",
                      std::string("the turtle's ") + name + " must be " + wanted + ", not " + filigree::to_text(value));
     };
-    if (!std::isfinite(settings.angle)) return wrong("angle", settings.angle, "a number");
-    if (settings.angle2 && !std::isfinite(*settings.angle2)) return wrong("angle2", *settings.angle2, "a number");
-    if (!std::isfinite(settings.step)) return wrong("step", settings.step, "a number");
+    for (const Gait& gait : alphabet.gaits()) {
+        const TurtleSettings of = settings_within(gait, settings);
+        if (!std::isfinite(of.angle)) return wrong("angle", of.angle, "a number");
+        if (of.angle2 && !std::isfinite(*of.angle2)) return wrong("angle2", *of.angle2, "a number");
+        if (!std::isfinite(of.step)) return wrong("step", of.step, "a number");
+    }
     if (!std::isfinite(settings.width) || settings.width < 0) return wrong("width", settings.width, "0 or more");
     if (!std::isfinite(settings.width_ratio) || !(settings.width_ratio > 0)) {
         return wrong("width ratio", settings.width_ratio, "above 0");

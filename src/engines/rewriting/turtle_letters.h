@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engines/rewriting/turtle.h"
+#include "engines/rewriting/turtle_turns.h"
 
 namespace filigree::rewriting {
 
@@ -14,8 +15,14 @@ struct TurtleLetters {
     std::array<Act, max_symbols> acts{};
     std::array<std::uint32_t, max_symbols> names{};  // in shape_names
     std::vector<std::string> shape_names;
+    TurnScale scale;                            // of all angles of the document and of gaits
+    std::array<Int128, max_symbols> turns{};    // of signs: amounts
+    std::array<double, max_symbols> lengths{};  // of steps, px
+
+    // Whether all steps are as long as the document says.
+    bool have_one_length = true;
 };
-TurtleLetters turtle_letters(const Alphabet& alphabet, const std::vector<LetterUse>& uses);
+TurtleLetters turtle_letters(const Alphabet& alphabet, const TurtleSettings& settings);
 
 constexpr bool is_step(Act act) {
     return act == Act::line || act == Act::move || act == Act::corner || act == Act::shape;
@@ -35,7 +42,7 @@ struct TurtleCounts {
 };
 TurtleCounts count_acts(const Word& word, const Alphabet& alphabet, const TurtleLetters& letters);
 
-std::optional<Diagnostic> check_settings(const TurtleSettings& settings);
+std::optional<Diagnostic> check_settings(const TurtleSettings& settings, const Alphabet& alphabet);
 Diagnostic too_much_to_draw(std::uint64_t count, const char* what, std::uint64_t most);
 Diagnostic out_of_range(std::uint64_t symbol);
 

@@ -49,12 +49,15 @@ struct SimpleTurtle {
         state.frame = product(state.frame, by);
     }
 
-    void draw(std::u32string_view letters, const TurtleSettings& settings) {
+    // `gaits`: of each letter.
+    void draw(std::u32string_view letters, const std::vector<Gait>& gaits, const TurtleSettings& settings) {
         const double sign = settings.plus == PlusTurn::clockwise ? -1 : 1;
-        const double angle2 = settings.angle2.value_or(settings.angle);
         std::size_t asked = 0;
-        for (const char32_t letter : letters) {
-            switch (letter) {
+        for (std::size_t at = 0; at < letters.size(); ++at) {
+            const Gait& gait = gaits[at];
+            const double angle = gait.angle ? *gait.angle : settings.angle;
+            const double angle2 = gait.angle2 ? *gait.angle2 : settings.angle2 ? *settings.angle2 : angle;
+            switch (const char32_t letter = letters[at]) {
                 case U'T':
                 case U'P':
                 case U'D':
@@ -70,10 +73,10 @@ struct SimpleTurtle {
                     state.frame = {{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}}};
                     break;
                 case U'+':
-                    turn(sign * settings.angle);
+                    turn(sign * angle);
                     break;
                 case U'-':
-                    turn(-sign * settings.angle);
+                    turn(-sign * angle);
                     break;
                 case U'<':
                     turn(sign * angle2);
@@ -99,7 +102,7 @@ struct SimpleTurtle {
                 case U'f':
                 case U'a': {
                     const Vec3 from = state.position;
-                    const double step = settings.step * state.scale;
+                    const double step = (gait.step ? *gait.step : settings.step) * state.scale;
                     state.position = {from.x + step * state.frame[0][0], from.y + step * state.frame[1][0],
                                       from.z + step * state.frame[2][0]};
                     if (letter != U'f') segments.push_back({from, state.position});
@@ -119,10 +122,17 @@ TEST(TurtleProperty, DrawsWhatASimpleTurtleDraws) {
         TurtleSettings settings = random_turtle_settings(random);
         settings.angles = {random_angle(random), random_angle(random), random_angle(random)};
         std::u32string letters = random_letters(random, U"FFFFaaf+++---<>?=TTPPDXYZ[[]]hQ", 200);
+        std::vector<Gait> gaits = random_gaits(random, letters.size());
         SimpleTurtle simple;
-        simple.draw(letters, settings);
-        for (std::size_t at; (at = letters.find(U'h')) != letters.npos;) letters.replace(at, 1, U"~(0.5)");
-        const TurtleDrawing drawing = drawn(letters, settings);
+        simple.draw(letters, gaits, settings);
+        for (std::size_t at; (at = letters.find(U'h')) != letters.npos;) {
+            letters.replace(at, 1, U"~(0.5)");
+            gaits.insert(gaits.begin() + static_cast<std::ptrdiff_t>(at), 5, gaits[at]);
+        }
+        const TurtleWord of = turtle_word(letters, gaits);
+        const Result<TurtleDrawing> told = turtle_drawing(of.word, of.alphabet, settings);
+        ASSERT_TRUE(told);
+        const TurtleDrawing& drawing = *told;
         ASSERT_EQ(drawing.segments.size(), simple.segments.size());
         for (std::size_t k = 0; k < simple.segments.size(); ++k) {
             ASSERT_TRUE(are_near(drawing.segments[k].from, simple.segments[k][0], 1e-9)) << "segment " << k;

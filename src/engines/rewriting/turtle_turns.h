@@ -1,43 +1,40 @@
 // How far a turtle has turned about one axis: whole multiples of its angles, not a rotation that is multiplied up.
 //
-// Where both angles are simple parts of the full turn (30, 22.5, 25.7, 360/7), they are counted in units of
-// 360/per_turn degrees, in whole numbers: twelve times 30 is no turn at all. Other angles are counted apart, and the
-// products with their counts are exact before they are reduced. Directions have the symmetries of the square to the
-// last bit.
+// Where all angles are simple parts of the full turn (30, 22.5, 25.7, 360/7), they are counted in units of
+// 360/per_turn degrees, in whole numbers: twelve times 30 is no turn at all. Else they are counted in units so fine
+// that every angle of 2^-40 degrees and more is a whole number of them; smaller ones are rounded to that. Either way
+// nothing is rounded as turns add up. Directions have the symmetries of the square to the last bit.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <vector>
 
 #include "base/elementary.h"
+#include "plane/point.h"
 
 namespace filigree::rewriting {
 
 struct TurnScale {
-    std::uint32_t per_turn = 0;           // units of a full turn, a multiple of 4; 0: the angles have none in common
-    std::array<std::int64_t, 2> units{};  // of angle and angle2, in [0, per_turn)
-    std::array<double, 2> degrees{};      // of both, in (-360, 360)
+    std::uint32_t per_turn = 0;   // units of a full turn, a multiple of 4; 0: the angles have none in common
+    Int128 full = 0;              // units of a full turn, whichever they are
+    std::vector<Int128> amounts;  // of the angles, counterclockwise, in [0, full)
+
+    Int128 opposite(Int128 amount) const { return amount == 0 ? 0 : full - amount; }
 };
-TurnScale turn_scale(double angle, double angle2);  // degrees, finite
+TurnScale turn_scale(const std::vector<double>& angles);  // degrees, finite
 
 // Counterclockwise as seen against the axis.
 struct Turn {
-    std::array<std::int64_t, 2> counts{};  // units, in [0, per_turn), and 0; or how often each angle
-    double rest = 0;                       // degrees of other turns, in (-360, 360)
+    Int128 amount = 0;  // in [0, full)
+    double rest = 0;    // degrees of other turns, in (-360, 360)
 
     bool operator==(const Turn&) const = default;
-    bool is_none() const { return (counts[0] | counts[1]) == 0 && rest == 0; }
+    bool is_none() const { return amount == 0 && rest == 0; }
 };
 
-inline void add_angle(Turn& turn, const TurnScale& scale, std::size_t which, int times) {  // 1 or -1 times
-    if (scale.per_turn == 0) {
-        turn.counts[which] += times;
-        return;
-    }
-    std::int64_t& units = turn.counts[0];
-    units += times * scale.units[which];
-    if (units >= scale.per_turn) units -= scale.per_turn;
-    if (units < 0) units += scale.per_turn;
+inline void add_amount(Turn& turn, const TurnScale& scale, Int128 amount) {  // in [0, full)
+    turn.amount += amount;
+    if (turn.amount >= scale.full) turn.amount -= scale.full;
 }
 void add_degrees(Turn& turn, double degrees);  // finite
 

@@ -18,23 +18,24 @@ bool are_same(CosSin a, CosSin b) {
 }
 
 Turn times(const TurnScale& scale, std::size_t which, int count) {
+    const Int128 once = scale.amounts[which], amount = count < 0 ? scale.opposite(once) : once;
     Turn turn;
-    for (int i = 0; i < std::abs(count); ++i) add_angle(turn, scale, which, count < 0 ? -1 : 1);
+    for (int i = 0; i < std::abs(count); ++i) add_amount(turn, scale, amount);
     return turn;
 }
 
 TEST(TurtleTurns, SimpleAnglesArePartsOfATurn) {
-    EXPECT_EQ(turn_scale(30, 30).per_turn, 12U);
-    EXPECT_EQ(turn_scale(30, 45).per_turn, 24U);
-    EXPECT_EQ(turn_scale(25.7, 0).per_turn, 3600U);
-    EXPECT_EQ(turn_scale(360.0 / 7, 90).per_turn, 28U);
-    EXPECT_EQ(turn_scale(0, 0).per_turn, 4U);
-    EXPECT_EQ(turn_scale(450.1, 450.1).per_turn, 3600U);
-    EXPECT_EQ(turn_scale(-60, 60).units[0], 10);
-    EXPECT_EQ(turn_scale(-60, 60).units[1], 2);
-    EXPECT_EQ(turn_scale(137.50776405003785, 90).per_turn, 0U) << "the golden angle is no simple part";
-    EXPECT_EQ(turn_scale(1e300, 90).per_turn, turn_scale(std::fmod(1e300, 360.0), 90).per_turn);
-    EXPECT_EQ(turn_scale(1e-300, 90).per_turn, 0U);
+    EXPECT_EQ(turn_scale({30, 30}).per_turn, 12U);
+    EXPECT_EQ(turn_scale({30, 45}).per_turn, 24U);
+    EXPECT_EQ(turn_scale({25.7, 0}).per_turn, 3600U);
+    EXPECT_EQ(turn_scale({360.0 / 7, 90}).per_turn, 28U);
+    EXPECT_EQ(turn_scale({0, 0}).per_turn, 4U);
+    EXPECT_EQ(turn_scale({450.1, 450.1}).per_turn, 3600U);
+    EXPECT_EQ(turn_scale({-60, 60}).amounts[0], 10);
+    EXPECT_EQ(turn_scale({-60, 60}).amounts[1], 2);
+    EXPECT_EQ(turn_scale({137.50776405003785, 90}).per_turn, 0U) << "the golden angle is no simple part";
+    EXPECT_EQ(turn_scale({1e300, 90}).per_turn, turn_scale({std::fmod(1e300, 360.0), 90}).per_turn);
+    EXPECT_EQ(turn_scale({1e-300, 90}).per_turn, 0U);
 }
 
 TEST(TurtleTurns, EveryPartIsFound) {
@@ -42,17 +43,17 @@ TEST(TurtleTurns, EveryPartIsFound) {
         CaseRandom random(i);
         const std::uint32_t parts = 1 + random.below(1 << 18);
         const double angle = 360.0 * random.below(parts) / parts;
-        const TurnScale scale = turn_scale(angle, 0);
+        const TurnScale scale = turn_scale({angle, 0});
         ASSERT_NE(scale.per_turn, 0U) << angle;
-        EXPECT_EQ(static_cast<double>(360 * scale.units[0]) / scale.per_turn, angle);
+        EXPECT_EQ(360 * static_cast<double>(scale.amounts[0]) / scale.per_turn, angle);
         EXPECT_EQ(4ULL * parts % scale.per_turn, 0U) << angle << " of " << parts;
     }
 }
 
 TEST(TurtleTurns, FullTurnsAreNone) {
-    EXPECT_EQ(times(turn_scale(30, 0), 0, 12), Turn{});
-    EXPECT_EQ(times(turn_scale(360.0 / 7, 0), 0, -7), Turn{});
-    EXPECT_EQ(times(turn_scale(25.7, 0), 0, 3600), Turn{});
+    EXPECT_EQ(times(turn_scale({30, 0}), 0, 12), Turn{});
+    EXPECT_EQ(times(turn_scale({360.0 / 7, 0}), 0, -7), Turn{});
+    EXPECT_EQ(times(turn_scale({25.7, 0}), 0, 3600), Turn{});
     Turn turn;
     add_degrees(turn, 100);
     add_degrees(turn, 300);
@@ -79,7 +80,7 @@ TEST(TurtleTurns, DirectionsHaveTheSymmetriesOfTheSquare) {
 
 TEST(TurtleTurns, NothingDrifts) {
     const double golden = 137.50776405003785;
-    const TurnScale scale = turn_scale(golden, 90);
+    const TurnScale scale = turn_scale({golden, 90});
     ASSERT_EQ(scale.per_turn, 0U);
     const Turn turn = times(scale, 0, 1000003);
     const long double exact = std::fmod(static_cast<long double>(golden) * 1000003, 360.0L) * std::acos(-1.0L) / 180;
@@ -89,8 +90,37 @@ TEST(TurtleTurns, NothingDrifts) {
     EXPECT_TRUE(are_same(back, {direction(turn, scale).cos, -direction(turn, scale).sin}));
 }
 
+// However many angles there are, and whether or not they have a part in common.
+TEST(TurtleTurns, OppositeTurnsCancel) {
+    for (std::uint64_t i = first_seed(); i < first_seed() + case_count(); ++i) {
+        CaseRandom random(i);
+        std::vector<double> angles;
+        for (std::uint32_t left = 1 + random.below(8); left > 0; --left) angles.push_back(random_angle(random));
+        const TurnScale scale = turn_scale(angles);
+        std::vector<Int128> amounts;
+        Turn turn;
+        double degrees = 0;
+        for (int k = 0; k < 40; ++k) {
+            const std::size_t which = random.index(angles.size());
+            const bool is_back = random.coin();
+            degrees += is_back ? -angles[which] : angles[which];
+            amounts.push_back(is_back ? scale.opposite(scale.amounts[which]) : scale.amounts[which]);
+            add_amount(turn, scale, amounts.back());
+        }
+        const CosSin wanted = elementary::cos_sin_degrees(degrees), here = direction(turn, scale);
+        ASSERT_NEAR(here.cos, wanted.cos, 1e-12);
+        ASSERT_NEAR(here.sin, wanted.sin, 1e-12);
+        while (!amounts.empty()) {
+            const std::size_t which = random.index(amounts.size());
+            add_amount(turn, scale, scale.opposite(amounts[which]));
+            amounts.erase(amounts.begin() + static_cast<std::ptrdiff_t>(which));
+        }
+        ASSERT_EQ(turn, Turn{});
+    }
+}
+
 TEST(TurtleTurns, OtherDegreesAreAdded) {
-    const TurnScale scale = turn_scale(30, 0);
+    const TurnScale scale = turn_scale({30, 0});
     Turn turn = times(scale, 0, 5);
     add_degrees(turn, -105);
     EXPECT_TRUE(are_same(direction(turn, scale), elementary::cos_sin_degrees(45)));

@@ -31,14 +31,12 @@ struct TurtleState {
 // Directions that were asked for before, where they are few enough to keep.
 class TurtleDirections {
 public:
-    explicit TurtleDirections(const TurtleSettings& settings)
-        : scale_(turn_scale(settings.angle, settings.angle2.value_or(settings.angle))) {
+    explicit TurtleDirections(const TurnScale& scale) : scale_(scale) {
         if (scale_.per_turn <= most_kept) known_.resize(scale_.per_turn, {unknown, unknown});
     }
-    const TurnScale& scale() const { return scale_; }
     elementary::CosSin of(const Turn& turn) {
         if (turn.rest != 0 || known_.empty()) return direction(turn, scale_);
-        elementary::CosSin& known = known_[static_cast<std::size_t>(turn.counts[0])];
+        elementary::CosSin& known = known_[static_cast<std::size_t>(turn.amount)];
         if (known.cos == unknown) known = direction(turn, scale_);
         return known;
     }
@@ -46,7 +44,7 @@ public:
 private:
     static constexpr std::uint32_t most_kept = 1 << 14;
     static constexpr double unknown = 2;  // no cosine
-    TurnScale scale_;
+    const TurnScale& scale_;
     std::vector<elementary::CosSin> known_;
 };
 
@@ -55,7 +53,12 @@ class TurtleWalk {
 public:
     TurtleWalk(const Word& word, const TurtleLetters& letters, const TurtleCounts& counts,
                const TurtleSettings& settings, Told& told)
-        : word_(word), letters_(letters), counts_(counts), settings_(settings), told_(told), directions_(settings) {
+        : word_(word),
+          letters_(letters),
+          counts_(counts),
+          settings_(settings),
+          told_(told),
+          directions_(letters.scale) {
         outer_.reserve(counts.deepest);
         state_.width = settings.width;
     }
@@ -83,7 +86,7 @@ private:
 
     void step(std::size_t at, Act act) {
         const Vec3 from = state_.position;
-        state_.position = from + frame().heading * (settings_.step * state_.scale);
+        state_.position = from + frame().heading * (letters_.lengths[word_.symbols[at]] * state_.scale);
         const auto& [x, y, z] = state_.position;
         if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) problem_ = out_of_range(at);
         told_.step(at, act, from, *this);
@@ -97,9 +100,9 @@ private:
         state_.turn = {};
         state_.turned_about = state_.selected;
     }
-    void turn(std::size_t which, int times) {
+    void turn(std::size_t at) {
         face_turn();
-        add_angle(state_.turn, directions_.scale(), which, settings_.plus == PlusTurn::clockwise ? -times : times);
+        add_amount(state_.turn, letters_.scale, letters_.turns[word_.symbols[at]]);
     }
     void turn_by_formula(std::size_t at) {
         AngleFacts facts{asked_++, outer_.size(), 1, state_.position.x, state_.position.y, state_.position.z};
@@ -161,13 +164,10 @@ private:
                 state_.selected = Axis::heading;
                 return;
             case Act::plus:
-                return turn(0, 1);
             case Act::minus:
-                return turn(0, -1);
             case Act::less:
-                return turn(1, 1);
             case Act::greater:
-                return turn(1, -1);
+                return turn(at);
             case Act::formula:
                 return turn_by_formula(at);
             case Act::push:
