@@ -15,6 +15,7 @@
 #include "plane/edge_tree.h"
 #include "plane/line_inside.h"
 #include "plane/moved_polygon.h"
+#include "scene/curves.h"
 
 namespace filigree {
 
@@ -135,6 +136,7 @@ public:
             polygons += geometry->size();
         }
         pieces_.resize(polygons);
+        new_curve_.resize(from.curves.size());
     }
 
     void place() {
@@ -155,6 +157,7 @@ private:
     struct Pieces {  // what a polygon became
         std::uint32_t geometry = to_be_added;
         std::uint32_t first = 0, end = 0;
+        bool is_whole = false;  // not cut
     };
 
     // Where each shape, and the end, came to stand.
@@ -168,8 +171,10 @@ private:
             if (pieces.first == pieces.end) continue;
             std::uint32_t& style = new_style[shape.style];
             if (style == to_be_added) style = index_.index_of(scaled(from_.styles[shape.style]));
+            const std::uint32_t curve =
+                has_curve(shape) && pieces.is_whole ? placed_curve(shape.curve) : DrawnShape::no_curve;
             for (std::uint32_t p = pieces.first; p < pieces.end; ++p) {
-                to_.shapes.push_back({pieces.geometry, p, style, shape.key});
+                to_.shapes.push_back({pieces.geometry, p, style, shape.key, curve});
             }
         }
         new_shape.push_back(static_cast<std::uint32_t>(to_.shapes.size()));
@@ -214,7 +219,7 @@ private:
         const Clip::Side side = clip_ ? clip_->side_of(here) : Clip::Side::inside;
         if (side == Clip::Side::outside) return {};
         if (side == Clip::Side::inside && keeps_geometry_) {
-            return {index_.index_of(from_.geometry[geometry]), polygon, polygon + 1};
+            return {index_.index_of(from_.geometry[geometry]), polygon, polygon + 1, true};
         }
         const auto first = static_cast<std::uint32_t>(fresh_.size());
         if (side == Clip::Side::inside) {
@@ -226,7 +231,20 @@ private:
             whole.add(here);
             fresh_.add_all(intersect(whole, clip_->polygons()));
         }
-        return {to_be_added, first, static_cast<std::uint32_t>(fresh_.size())};
+        return {to_be_added, first, static_cast<std::uint32_t>(fresh_.size()), side == Clip::Side::inside};
+    }
+
+    // None where it leaves the plane.
+    std::uint32_t placed_curve(std::uint32_t number) {
+        std::optional<std::uint32_t>& known = new_curve_[number];
+        if (known) return *known;
+        Path moved = keeps_geometry_ ? from_.curves[number] : transformed(from_.curves[number], placement_.transform);
+        known = DrawnShape::no_curve;
+        if (is_on_plane(moved)) {
+            known = static_cast<std::uint32_t>(to_.curves.size());
+            to_.curves.push_back(std::move(moved));
+        }
+        return *known;
     }
 
     Drawing& to_;
@@ -237,6 +255,7 @@ private:
     std::optional<Clip> clip_;
     std::vector<std::size_t> first_polygon_;  // of each geometry of from_ in pieces_
     std::vector<std::optional<Pieces>> pieces_;
+    std::vector<std::optional<std::uint32_t>> new_curve_;
     Polygons fresh_;
 };
 

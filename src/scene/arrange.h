@@ -2,7 +2,8 @@
 //
 // What is put in keeps its geometry where it can: under the identity, shapes that no clip cuts share it with the
 // drawing that they come from, and geometry that is there already is not added again. Else every polygon is
-// mapped and snapped to the grid; rings that collapse there are dropped, and polygons that leave the plane.
+// mapped and snapped to the grid; rings that collapse there are dropped, and polygons that leave the plane. Curves are
+// mapped with their polygons, and dropped where a clip cuts these.
 #pragma once
 
 #include <cstdint>

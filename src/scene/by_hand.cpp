@@ -75,6 +75,9 @@ private:
             if (shape.shape == HandShape::not_drawn) continue;
             drawing_.shapes[shape.shape].geometry = static_cast<std::uint32_t>(drawing_.geometry.size());
             drawing_.shapes[shape.shape].polygon = polygon;
+            // Faces that do not waver hold their place; borders follow the faces.
+            const bool may_move = shape.role == HandRole::border || shape.style.wobble.amplitude > 0;
+            if (may_move) drawing_.shapes[shape.shape].curve = DrawnShape::no_curve;
         }
         drawing_.geometry.push_back(std::make_shared<const Polygons>(std::move(polygons)));
     }

@@ -3,7 +3,7 @@
 // Perturbs the shapes of a drawing together (plane/perturb.h), and turns strokes that are to be drawn into filled
 // polygons (scene/drawn_pen.h), so that every format can write the result as any other. A border that several
 // shapes stroke is drawn once: by the last of them in the order of painting, or by the widest of one colour; where
-// that one has an even stroke, by that.
+// that one has an even stroke, by that. Shapes that waver lose their curves, and drawn strokes follow polygons.
 #pragma once
 
 #include <cstdint>

@@ -11,6 +11,7 @@
 
 #include "base/number_text.h"
 #include "scene/arrange.h"
+#include "scene/curves.h"
 
 namespace filigree {
 namespace {
@@ -66,8 +67,8 @@ Key key_below(const Copy& copy) {
 struct Gathered {
     Drawing drawing;  // without geometry: its shapes are those of the motif
     Polygons polygons;
-};
     std::vector<bool> is_line;  // of each
+};
 Gathered gather(const Drawing& motif) {
     Gathered all{motif, {}, {}};
     all.drawing.geometry.assign(1, nullptr);
@@ -79,8 +80,8 @@ Gathered gather(const Drawing& motif) {
         if (place[shape.polygon] == unused) {
             place[shape.polygon] = static_cast<std::uint32_t>(all.polygons.size());
             all.polygons.add(from[shape.polygon]);
-        }
             all.is_line.push_back(motif.styles[shape.style].is_open);
+        }
         shape.polygon = place[shape.polygon];
         shape.geometry = 0;
     }
@@ -169,6 +170,7 @@ private:
             placer_.place(motif_, placement);  // shares the motif's geometry
         } else {
             copy_.geometry[0] = std::make_shared<const Polygons>(std::move(polygons));
+            if (!motif_.curves.empty()) move_curves(symmetry_.transform(copy));
             const Key here = key_below(copy);
             for (std::size_t s = 0; s < copy_.shapes.size(); ++s) {
                 copy_.shapes[s].key = child(motif_.shapes[s].key, here.value);
@@ -176,6 +178,20 @@ private:
             placer_.place(copy_, placement);
         }
         if (result_.shapes.size() > options_.most_shapes) refuse("limit.elements", "shapes", options_.most_shapes);
+    }
+
+    // Those of shapes that are seen.
+    void move_curves(const Transform& to_copy) {
+        copy_.curves.assign(motif_.curves.size(), {});
+        for (std::size_t s = 0; s < copy_.shapes.size(); ++s) {
+            const std::uint32_t curve = motif_.shapes[s].curve;
+            copy_.shapes[s].curve = DrawnShape::no_curve;
+            const bool is_seen = (*copy_.geometry[0])[copy_.shapes[s].polygon].ring_count() > 0;
+            if (curve == DrawnShape::no_curve || !is_seen) continue;
+            Path& moved = copy_.curves[curve];
+            if (moved.verbs.empty()) moved = transformed(motif_.curves[curve], to_copy);
+            if (is_on_plane(moved)) copy_.shapes[s].curve = curve;
+        }
     }
 
     void refuse(std::string code, const std::string& what, std::uint64_t most) {

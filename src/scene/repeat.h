@@ -3,8 +3,9 @@
 // Guarantees: the painting order is the same in every tile (all copies of one operation, row by row, then those of the
 // next over them), and copies in different tiles are equal on the grid, so what crosses one edge of a canvas that is
 // exactly a tile comes in at the opposite one. Copies of the group's domain neither overlap nor leave gaps
-// (symmetry.h); mirrored shapes keep their orientation. A shape keeps its key in the copy that is the motif itself; in
-// every other one it has a key of its own, which does not depend on what else is shown.
+// (symmetry.h); mirrored shapes keep their orientation. Curves are moved as doubles, so that those in different tiles
+// are equal but for rounding. A shape keeps its key in the copy that is the motif itself; in every other one it has a
+// key of its own, which does not depend on what else is shown.
 #pragma once
 
 #include <cstdint>

@@ -18,6 +18,9 @@ bool is_identity(const Transform& transform) { return transform == Transform{}; 
 std::uint64_t memory_of(const Drawing& drawing) {
     std::uint64_t bytes = drawing.shapes.capacity() * sizeof(DrawnShape);
     for (const auto& geometry : drawing.geometry) bytes += geometry->memory_bytes();
+    for (const Path& curve : drawing.curves) {
+        bytes += sizeof(Path) + curve.verbs.capacity() + curve.points.capacity() * sizeof(Vec);
+    }
     return bytes;
 }
 
