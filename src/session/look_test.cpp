@@ -101,6 +101,19 @@ TEST(Pick, FindsTheStepsOnBothSidesOfABorder) {
     EXPECT_FALSE(pick(all->opened, all->checked, all->run, {500, 0}));
 }
 
+TEST(Pick, TellsTheArgumentsOfTheShapeAtThePoint) {
+    const auto all =
+        ran("grammar tangle\nstart body = rectangle(100, 60)\n"
+            "regular_split(line, 50, angle: 90) : body -> halves\noutline(each(index * 3)) : halves -> in, rim\n");
+    const auto distance = [&](Vec at) {
+        const auto picked = pick(all->opened, all->checked, all->run, at);
+        return picked && !picked->steps.empty() ? picked->steps[0].arguments[0].second : std::string("nothing");
+    };
+    const auto sorted = [](std::string a, std::string b) { return a < b ? a + " " + b : b + " " + a; };
+    EXPECT_EQ(sorted(distance({-25, 0}), distance({25, 0})), "3px 6px");
+    EXPECT_EQ(sorted(distance({-25, 29}), distance({25, 29})), "3px 6px") << "in the rim";
+}
+
 TEST(Variations, DifferOnlyInWhatIsFree) {
     const std::string text = std::string(sheet) + "set body/outline.distance = 5\nkeep let/gap\n";
     const auto all = ran(text);

@@ -49,12 +49,18 @@ Hit leaf_at(const Tangle& tangle, Point at) {
     return hit;
 }
 
-std::string argument_text(const ArgumentValue& argument, std::size_t shape) {
-    return text_with_unit(argument.at(shape));
+// Which shape of a group lies over a place: what a step makes of a shape lies in that, all but marks on its border.
+std::optional<std::size_t> shape_at(const Tangle& tangle, const tangle::Group& group, Point at) {
+    for (std::size_t i = group.shapes.size(); i-- > 0;) {
+        if (locate(tangle.polygon(group.shapes[i]), at) >= 0) return i;
+    }
+    return std::nullopt;
 }
 
-PickedStep picked_step(const Layer& layer, std::uint32_t number, std::size_t shape) {
+// An argument that every shape has its own of is that of the shape at the place; it is left out where none is there.
+PickedStep picked_step(const Layer& layer, std::uint32_t number, Point at) {
     const tangle::Step& step = layer.tangle.steps[number];
+    const std::optional<std::size_t> shape = shape_at(layer.tangle, layer.tangle.groups[step.group], at);
     const tangle::Rule& rule = layer.checked.grammar->rules[step.rule];
     PickedStep picked;
     picked.path = layer.prefix + tangle::path_of_step(layer.tangle, *layer.checked.grammar, number);
@@ -65,7 +71,8 @@ PickedStep picked_step(const Layer& layer, std::uint32_t number, std::size_t sha
     picked.key = step.key;
     for (std::size_t i = 0; i < step.arguments.values.size(); ++i) {
         const ArgumentValue& argument = step.arguments.values[i];
-        const std::string text = argument_text(argument, argument.per_shape.size() > shape ? shape : 0);
+        if (!argument.per_shape.empty() && !shape) continue;
+        const std::string text = text_with_unit(argument.at(shape.value_or(0)));
         if (text == tangle::not_given) continue;
         picked.arguments.emplace_back(std::string(step.arguments.description->parameters[i].name), text);
     }
@@ -75,10 +82,10 @@ PickedStep picked_step(const Layer& layer, std::uint32_t number, std::size_t sha
 }
 
 // The steps behind a group of one tangle, innermost first.
-void add_chain(const Layer& layer, std::uint32_t group, std::vector<PickedStep>& steps) {
+void add_chain(const Layer& layer, std::uint32_t group, Point place, std::vector<PickedStep>& steps) {
     for (std::uint32_t at = group; layer.tangle.groups[at].producer != none;) {
         const std::uint32_t step = layer.tangle.groups[at].producer;
-        steps.push_back(picked_step(layer, step, 0));
+        steps.push_back(picked_step(layer, step, place));
         at = layer.tangle.steps[step].group;
     }
 }
@@ -109,7 +116,7 @@ std::optional<Picked> pick_in(const Layer& layer, Vec at) {
                 layer.prefix +
                 tangle::path_of_embedded(layer.tangle, *layer.checked.grammar, group.producer, hit.shape) + "/";
             if (auto picked = pick_inside(*step.embedded[hit.shape], prefix, at)) {
-                add_chain(layer, hit.group, picked->steps);
+                add_chain(layer, hit.group, point, picked->steps);
                 return picked;
             }
         }
@@ -122,7 +129,7 @@ std::optional<Picked> pick_in(const Layer& layer, Vec at) {
     picked.tag = layer.checked.grammar->tags[group.tag];
     picked.key = shape.key;
     picked.area = area(layer.tangle.polygon(shape));
-    add_chain(layer, hit.group, picked.steps);
+    add_chain(layer, hit.group, point, picked.steps);
     return picked;
 }
 
