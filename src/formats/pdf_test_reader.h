@@ -105,8 +105,8 @@ struct PdfOperator {
 };
 inline std::vector<PdfOperator> pdf_operators(const std::string& content) {
     static const std::map<std::string, std::size_t> takes = {
-        {"q", 0}, {"Q", 0}, {"cm", 6}, {"gs", 1}, {"rg", 3}, {"RG", 3}, {"w", 1},  {"j", 1}, {"J", 1}, {"M", 1},
-        {"m", 2}, {"l", 2}, {"h", 0},  {"re", 4}, {"f", 0},  {"f*", 0}, {"B*", 0}, {"S", 0}};
+        {"q", 0}, {"Q", 0}, {"cm", 6}, {"gs", 1}, {"rg", 3}, {"RG", 3}, {"w", 1},  {"j", 1},  {"J", 1}, {"M", 1},
+        {"m", 2}, {"l", 2}, {"c", 6},  {"h", 0},  {"re", 4}, {"f", 0},  {"f*", 0}, {"B*", 0}, {"S", 0}};
     std::vector<PdfOperator> operators;
     PdfOperator next;
     std::istringstream words(content);
@@ -123,8 +123,8 @@ inline std::vector<PdfOperator> pdf_operators(const std::string& content) {
         depth += word == "q" ? 1 : word == "Q" ? -1 : 0;
         EXPECT_GE(depth, 0);
         const bool is_painting = word == "f" || word == "f*" || word == "B*" || word == "S";
-        const bool is_path = word == "m" || word == "l" || word == "h" || word == "re";
-        const bool needs_path = is_painting || word == "l" || word == "h";
+        const bool is_path = word == "m" || word == "l" || word == "c" || word == "h" || word == "re";
+        const bool needs_path = is_painting || word == "l" || word == "c" || word == "h";
         EXPECT_TRUE(has_path || !needs_path) << word;
         EXPECT_TRUE(!has_path || is_painting || is_path) << word << " within a path";
         has_path = is_path;

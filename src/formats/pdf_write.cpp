@@ -13,6 +13,7 @@
 #include "formats/pdf_carried.h"
 #include "formats/pdf_file.h"
 #include "formats/svg_path_data.h"
+#include "plane/cubics.h"
 
 namespace filigree {
 namespace {
@@ -53,13 +54,12 @@ public:
         const Style& style = drawing_.styles[shape.style];
         const bool is_filled = has_fill(style), is_stroked = has_stroke(style);
         if (!is_filled && !is_stroked) return;
-        const PolygonView polygon = polygon_of(drawing_, shape);
-        if (polygon.point_count() == 0) return;
+        if (polygon_of(drawing_, shape).point_count() == 0) return;
         set(style, shape.style);
-        put_path(polygon, is_stroked && !style.is_open);
+        put_outline(shape, is_stroked && !style.is_open);
         if (is_filled && is_stroked && style.stroke->alpha != 255) {
             out_.put("f*\n");  // both at once would cut the stroke out of the fill
-            put_path(polygon, true);
+            put_outline(shape, true);
             out_.put("S\n");
         } else {
             out_.put(!is_stroked ? "f*\n" : is_filled ? "B*\n" : "S\n");
@@ -88,8 +88,24 @@ private:
         in_force = std::move(wanted);
     }
 
-    void put_path(PolygonView polygon, bool is_closed) {
+    void put_outline(const DrawnShape& shape, bool is_closed) {
+        if (has_curve(shape)) return put_curve(in_cubics(drawing_.curves[shape.curve]));
+        const PolygonView polygon = polygon_of(drawing_, shape);
         for (std::size_t r = 0; r < polygon.ring_count(); ++r) put_ring(polygon.ring(r), r > 0, is_closed);
+    }
+
+    void put_curve(const Path& cubics) {
+        std::size_t at = 0;
+        for (const Verb verb : cubics.verbs) {
+            char* to = out_.room(6 * longest_coordinate + 2);
+            for (const std::size_t end = at + point_count(verb); at < end; ++at) {
+                const Point place = rounded(snap(cubics.points[at]));
+                to = put_number(put_number(to, place.x), place.y);
+            }
+            *to++ = verb == Verb::move ? 'm' : verb == Verb::line ? 'l' : verb == Verb::cubic ? 'c' : 'h';
+            *to++ = '\n';
+            out_.advance_to(to);
+        }
     }
 
     void put_ring(RingView ring, bool is_hole, bool is_closed) {
@@ -99,7 +115,7 @@ private:
         Point last;
         std::size_t count = 0;
         for (const Point p : ring) {
-            const Point at{rounded_coordinate(p.x, decimals_), rounded_coordinate(p.y, decimals_)};
+            const Point at = rounded(p);
             if (count > 0 && at == last) continue;
             to = put_number(put_number(to, at.x), at.y);
             *to++ = count == 0 ? 'm' : 'l';
@@ -114,6 +130,8 @@ private:
         }
         out_.advance_to(to);
     }
+
+    Point rounded(Point p) const { return {rounded_coordinate(p.x, decimals_), rounded_coordinate(p.y, decimals_)}; }
 
     static char* put_number(char* to, std::int64_t value) {
         to = std::to_chars(to, to + longest_coordinate, value).ptr;
@@ -156,7 +174,10 @@ int fitting_decimals(const Drawing& drawing, int wanted) {
     for (const DrawnShape& shape : drawing.shapes) {
         const PolygonView polygon = polygon_of(drawing, shape);
         if (polygon.ring_count() == 0) continue;
-        const Box box = bounds(polygon);
+        Box box = bounds(polygon);
+        if (has_curve(shape)) {
+            for (const Vec p : in_cubics(drawing.curves[shape.curve]).points) extend(box, snap(p));
+        }
         if (!is_empty(box)) farthest = std::max({farthest, -box.min.x, -box.min.y, box.max.x, box.max.y});
     }
     int decimals = std::clamp(wanted, 0, 6);

@@ -4,7 +4,8 @@
 // whole multiples of 10^-decimals px, as integers; one matrix scales them to the page and turns y upwards.
 //
 // Shapes are painted in the order of painting_steps(), by the even-odd rule; what does not change from one shape to
-// the next is not said again. Where a translucent stroke lies on a fill, the fill shows through it, as in SVG.
+// the next is not said again. Curves are cubics. Where a translucent stroke lies on a fill, the fill shows through it,
+// as in SVG.
 #pragma once
 
 #include <string>

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "formats/png_encode.h"
+#include "plane/cubics.h"
 
 namespace filigree {
 namespace {
@@ -106,7 +107,8 @@ private:
         const bool is_near = std::min(min.x, min.y) >= -farthest && std::max(max.x, max.y) <= farthest;
 
         cairo_new_path(cairo_);
-        for (std::size_t r = 0; r < polygon.ring_count(); ++r) {
+        const bool is_curve = is_near && add_near_curve(shape);
+        for (std::size_t r = 0; r < polygon.ring_count() && !is_curve; ++r) {
             if (is_near) {
                 begin_ring();
                 for (const Point p : polygon.ring(r)) line_to(to_pixels(p));
@@ -137,6 +139,25 @@ private:
         const bool is_rounded = style.is_open && style.corner == Corner::round;
         cairo_set_line_cap(cairo_, is_rounded ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
         cairo_stroke(cairo_);
+    }
+
+    // Where its control points are near, too.
+    bool add_near_curve(const DrawnShape& shape) {
+        if (!has_curve(shape)) return false;
+        Path cubics = in_cubics(drawing_.curves[shape.curve]);
+        for (Vec& p : cubics.points) {
+            p = to_pixels(p);
+            if (std::max(std::fabs(p.x), std::fabs(p.y)) > farthest) return false;
+        }
+        const Vec* p = cubics.points.data();
+        for (const Verb verb : cubics.verbs) {
+            if (verb == Verb::move) cairo_move_to(cairo_, p[0].x, p[0].y);
+            if (verb == Verb::line) line_to(p[0]);
+            if (verb == Verb::cubic) cairo_curve_to(cairo_, p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y);
+            if (verb == Verb::close) cairo_close_path(cairo_);
+            p += point_count(verb);
+        }
+        return true;
     }
 
     // What is cut off, and the edges along the cut, lie farther outside than the pen reaches.
@@ -174,7 +195,8 @@ private:
 
     void begin_ring() { cairo_new_sub_path(cairo_); }  // the next line only moves
     void line_to(Vec p) { cairo_line_to(cairo_, p.x, p.y); }
-    Vec to_pixels(Point p) const { return (to_px(p) - drawing_.canvas.origin) * scale_; }
+    Vec to_pixels(Vec p) const { return (p - drawing_.canvas.origin) * scale_; }
+    Vec to_pixels(Point p) const { return to_pixels(to_px(p)); }
 
     cairo_t* cairo_;
     const Drawing& drawing_;

@@ -1,4 +1,4 @@
-// Drawings as PNG, drawn by Cairo. The same drawing and scale give the same bytes.
+// Drawings as PNG, drawn by Cairo; curves as such. The same drawing and scale give the same bytes.
 #pragma once
 
 #include <string>

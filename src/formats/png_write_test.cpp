@@ -1,57 +1,21 @@
 #include "formats/png_write.h"
 
-#include <cairo.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstring>
 
+#include "formats/png_test_reader.h"
 #include "formats/test_drawings.h"
 
 namespace filigree {
 namespace {
 
-struct Decoded {
-    int width = 0, height = 0;
-    std::vector<std::uint32_t> pixels;  // 0xAARRGGBB, premultiplied; opaque ones with alpha 255
-
-    std::uint32_t at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
-};
-
-Decoded decode(const std::string& png) {
-    struct Reader {
-        const std::string& bytes;
-        std::size_t at = 0;
-    } reader{png};
-    const auto read = [](void* closure, unsigned char* to, unsigned length) {
-        Reader& from = *static_cast<Reader*>(closure);
-        if (from.bytes.size() - from.at < length) return CAIRO_STATUS_READ_ERROR;
-        std::memcpy(to, from.bytes.data() + from.at, length);
-        from.at += length;
-        return CAIRO_STATUS_SUCCESS;
-    };
-    cairo_surface_t* surface = cairo_image_surface_create_from_png_stream(read, &reader);
-    EXPECT_EQ(cairo_surface_status(surface), CAIRO_STATUS_SUCCESS);
-    Decoded decoded{cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
-    const bool is_opaque = cairo_image_surface_get_format(surface) == CAIRO_FORMAT_RGB24;
-    for (int y = 0; y < decoded.height; ++y) {
-        const unsigned char* row = cairo_image_surface_get_data(surface) + y * cairo_image_surface_get_stride(surface);
-        for (int x = 0; x < decoded.width; ++x) {
-            std::uint32_t pixel = 0;
-            std::memcpy(&pixel, row + 4 * x, 4);
-            decoded.pixels.push_back(is_opaque ? pixel | 0xFF000000U : pixel);
-        }
-    }
-    cairo_surface_destroy(surface);
-    return decoded;
-}
-
-Decoded drawn(const Drawing& drawing, double scale = 1) {
+DecodedPng drawn(const Drawing& drawing, double scale = 1) {
     const Result<std::string> png = to_png(drawing, {scale});
     EXPECT_TRUE(png) << (png ? "" : png.diagnostics()[0].message);
-    return png ? decode(*png) : Decoded{};
+    return png ? decode_png(*png) : DecodedPng{};
 }
 
 constexpr std::uint32_t white_pixel = 0xFFFFFFFFU, black_pixel = 0xFF000000U, red_pixel = 0xFFFF0000U;
@@ -60,7 +24,7 @@ TEST(PngWrite, FillsWithHolesByTheEvenOddRule) {
     const Drawing drawing =
         drawing_of(polygons_of({rectangle_ring(2, 2, 6, 6), rectangle_ring(4, 4, 2, 2, true)}), filled(red), {10, 10});
     for (const int scale : {1, 3}) {
-        const Decoded picture = drawn(drawing, scale);
+        const DecodedPng picture = drawn(drawing, scale);
         ASSERT_EQ(picture.width, 10 * scale);
         ASSERT_EQ(picture.height, 10 * scale);
         for (int y = 0; y < 10; ++y) {
@@ -77,7 +41,7 @@ TEST(PngWrite, FillsWithHolesByTheEvenOddRule) {
 TEST(PngWrite, StrokesAreCentredAndJoinedAsSaid) {
     Drawing drawing = drawing_of(polygons_of({rectangle_ring(4, 4, 8, 8)}), stroked(black, 2), {16, 16});
     drawing.styles[0].corner = Corner::mitre;
-    Decoded picture = drawn(drawing);
+    DecodedPng picture = drawn(drawing);
     EXPECT_EQ(picture.at(8, 3), black_pixel);
     EXPECT_EQ(picture.at(8, 4), black_pixel);
     EXPECT_EQ(picture.at(8, 2), white_pixel);
@@ -95,7 +59,7 @@ TEST(PngWrite, StrokesAreCentredAndJoinedAsSaid) {
 
 TEST(PngWrite, LinesAreOpenAndNeverFilled) {
     Drawing drawing = line_drawing({{4, 4}, {12, 4}, {12, 12}, {4, 12}}, {red, black, 2, Corner::mitre}, {16, 16});
-    Decoded picture = drawn(drawing);
+    DecodedPng picture = drawn(drawing);
     EXPECT_EQ(picture.at(8, 4), black_pixel);
     EXPECT_EQ(picture.at(12, 8), black_pixel);
     EXPECT_EQ(picture.at(4, 8), white_pixel);  // where it would close
@@ -108,7 +72,7 @@ TEST(PngWrite, LinesAreOpenAndNeverFilled) {
 TEST(PngWrite, LinesThatReachFarAreDrawnWhereTheyAreSeen) {
     const Drawing drawing =
         line_drawing({{-1e8, 8}, {1e8, 8}, {1e8, 1e8}, {8, 1e8}, {8, -1e8}}, {{}, black, 2, Corner::mitre}, {16, 16});
-    const Decoded picture = drawn(drawing);
+    const DecodedPng picture = drawn(drawing);
     for (int i = 0; i < 16; ++i) {
         EXPECT_EQ(picture.at(i, 8), black_pixel);
         EXPECT_EQ(picture.at(8, i), black_pixel);
@@ -127,7 +91,7 @@ TEST(PngWrite, PaintsInOrderWithOverlaysOnTop) {
     drawing.styles = {filled(black), filled(red), filled({0, 0, 255, 255})};
     for (std::uint32_t i = 0; i < 3; ++i) drawing.shapes[i].style = i;
     drawing.groups = {{"r", 1, 2, 0, 1, {1}}, {"r/s", 2, 3, 0, 0, {}}};  // red, then blue, then black on top
-    const Decoded picture = drawn(drawing);
+    const DecodedPng picture = drawn(drawing);
     EXPECT_EQ(picture.at(1, 1), black_pixel);
     EXPECT_EQ(picture.at(3, 3), black_pixel);
     EXPECT_EQ(picture.at(4, 4), 0xFF0000FFU);
@@ -139,7 +103,7 @@ TEST(PngWrite, Backgrounds) {
     drawing.canvas.background = Colour{10, 20, 30, 255};
     EXPECT_EQ(drawn(drawing).at(2, 2), 0xFF0A141EU);
     drawing.canvas.background = Colour{255, 0, 0, 0};
-    Decoded picture = drawn(drawing);
+    DecodedPng picture = drawn(drawing);
     EXPECT_EQ(picture.at(2, 2), 0U);
     EXPECT_EQ(picture.at(0, 0), black_pixel);
     drawing.canvas.background = Colour{255, 0, 0, 128};
@@ -149,7 +113,7 @@ TEST(PngWrite, Backgrounds) {
 TEST(PngWrite, TheCanvasMayLieAnywhere) {
     Drawing drawing = drawing_of(polygons_of({rectangle_ring(-1000, 500, 5, 5)}), filled(black), {10, 10});
     drawing.canvas.origin = {-1002, 497};
-    const Decoded picture = drawn(drawing);
+    const DecodedPng picture = drawn(drawing);
     EXPECT_EQ(picture.at(1, 3), white_pixel);
     EXPECT_EQ(picture.at(2, 3), black_pixel);
     EXPECT_EQ(picture.at(6, 7), black_pixel);
@@ -162,7 +126,7 @@ TEST(PngWrite, HugeShapesAreCutToThePicture) {
     Drawing drawing = drawing_of(geometry, filled(black), {8, 8});
     drawing.styles[0].stroke = red;
     drawing.styles[0].pen = 1e-3;
-    const Decoded picture = drawn(drawing, 4);
+    const DecodedPng picture = drawn(drawing, 4);
     const auto is_dark = [&](int x, int y) { return (picture.at(4 * x + 1, 4 * y + 1) & 255) < 40; };
     for (int y = 0; y < 8; ++y) {
         for (int x = 0; x < 8; ++x) EXPECT_EQ(is_dark(x, y), x < 3 && !(x < 2 && y >= 5 && y < 7)) << x << " " << y;
@@ -179,7 +143,7 @@ TEST(PngWrite, OddStylesAndSizes) {
     drawing.canvas.size = {10, 10};
     for (const double pen : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
         drawing.styles[0] = {{}, black, pen, Corner::round};
-        const Decoded picture = drawn(drawing);
+        const DecodedPng picture = drawn(drawing);
         EXPECT_TRUE(std::all_of(picture.pixels.begin(), picture.pixels.end(), [](auto p) { return p == white_pixel; }));
     }
     drawing.styles[0] = {{}, black, 1e30, Corner::mitre};

@@ -3,7 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <string>
 #include <utility>
+
+#include "base/number_text.h"
+#include "formats/svg_arcs.h"
+#include "plane/arc.h"
 
 namespace filigree {
 namespace {
@@ -13,6 +18,7 @@ constexpr std::uint64_t fraction_mask = (1U << grid_bits) - 1;
 constexpr std::array<std::uint64_t, 7> powers_of_ten = {1, 10, 100, 1000, 10'000, 100'000, 1'000'000};
 // The longest step is the difference of two coordinates: sign, 13 digits, point, 6 digits; and a separator.
 constexpr std::size_t longest_number = 24;
+constexpr std::size_t longest_verb = 256 * longest_number;  // an arc as forty cubics
 
 struct Digits {
     char text[3];
@@ -84,8 +90,114 @@ public:
         if (!line.empty()) put_points(line, true);
         return current_;
     }
+    Point put_curve(const Path& path) {
+        Vec start, here;  // before rounding
+        Point rounded_start = current_;
+        bool is_dot = false;  // the subpath, so far
+        std::size_t at = 0;
+        const auto end_dot = [&] {  // else nothing would be drawn
+            if (!std::exchange(is_dot, false)) return;
+            to_ = out_.room(longest_number);
+            command('h');
+            number(0);
+            out_.advance_to(to_);
+        };
+        for (const Verb verb : path.verbs) {
+            const Vec* points = path.points.data() + at;
+            at += point_count(verb);
+            if (verb == Verb::move) end_dot();
+            char* const begin = to_ = out_.room(longest_verb);
+            const Vec to = verb == Verb::close ? start : points[point_count(verb) - 1];
+            put(verb, here, points);
+            if (verb == Verb::move) {
+                start = to;
+                rounded_start = current_;
+            }
+            if (verb == Verb::close) current_ = rounded_start;
+            is_dot = verb == Verb::move || (is_dot && to_ == begin);
+            here = to;
+            out_.advance_to(to_);
+        }
+        end_dot();
+        return current_;
+    }
 
 private:
+    void put(Verb verb, Vec here, const Vec* points) {
+        switch (verb) {
+            case Verb::move:
+                command('m');
+                put_places(points, 1);
+                command_ = 'l';  // what pairs after a move mean
+                break;
+            case Verb::line:
+                put_line_to(points[0]);
+                break;
+            case Verb::quadratic:
+                put_bezier('q', points, 2);
+                break;
+            case Verb::cubic:
+                put_bezier('c', points, 3);
+                break;
+            case Verb::arc:
+                put_arc(here, points, points[2]);
+                break;
+            case Verb::close:
+                command('z');
+                break;
+        }
+    }
+
+    void put_line_to(Vec to) {
+        const Point next = rounded_point(snap(to));
+        step(next.x - current_.x, next.y - current_.y);
+        current_ = next;
+    }
+
+    void put_bezier(char letter, const Vec* points, std::size_t count) {
+        const bool is_point =
+            std::all_of(points, points + count, [this](Vec p) { return rounded_point(snap(p)) == current_; });
+        if (is_point) return;
+        if (command_ != letter) command(letter);
+        put_places(points, count);
+    }
+
+    void put_arc(Vec from, const Vec shape[2], Vec to) {
+        const CentreArc arc = centre_arc(from, shape, to);
+        if (arc.is_line) return put_line_to(to);
+        if (const auto rounded = rounded_arcs(arc, shape[1].x, to, current_, decimals)) {
+            for (const RoundedArc& piece : *rounded) put_arc(piece);
+            return;
+        }
+        Path cubics;
+        append_cubics(cubics, arc, to);
+        for (std::size_t i = 0; i < cubics.points.size(); i += 3) put_bezier('c', &cubics.points[i], 3);
+    }
+
+    void put_arc(const RoundedArc& arc) {
+        if (command_ != 'a') command('a');
+        number(arc.rx);
+        number(arc.ry);
+        degrees(arc.rotation);
+        constexpr auto one = static_cast<std::int64_t>(powers_of_ten[decimals]);
+        number(arc.is_large ? one : 0);
+        number(arc.is_sweep ? one : 0);
+        number(arc.to.x - current_.x);
+        number(arc.to.y - current_.y);
+        current_ = arc.to;
+    }
+
+    // All from where the path stands, which is then the last.
+    void put_places(const Vec* points, std::size_t count) {
+        Point place;
+        for (std::size_t i = 0; i < count; ++i) {
+            place = rounded_point(snap(points[i]));
+            number(place.x - current_.x);
+            number(place.y - current_.y);
+        }
+        current_ = place;
+    }
+
     void put(RingView ring, bool is_hole) {
         std::size_t count = ring.size();
         if (count == 0) return;
@@ -172,6 +284,15 @@ private:
         after_ = fraction != 0 ? After::fraction : After::whole;
     }
 
+    void degrees(double value) {
+        std::string text;
+        append_fixed(text, value, 9);
+        if (text[0] != '-') *to_++ = ' ';
+        std::memcpy(to_, text.data(), text.size());
+        to_ += text.size();
+        after_ = After::whole;
+    }
+
     enum class After { command, whole, fraction };
     TextBuffer& out_;
     char* to_ = nullptr;
@@ -246,6 +367,9 @@ Point put_path_data(TextBuffer& out, PolygonView polygon, int decimals, Point fr
 }
 Point put_line_data(TextBuffer& out, RingView line, int decimals, Point from) {
     return with_writer(out, decimals, from, [&](auto writer) { return writer.put_line(line); });
+}
+Point put_curve_data(TextBuffer& out, const Path& path, int decimals, Point from) {
+    return with_writer(out, decimals, from, [&](auto writer) { return writer.put_curve(path); });
 }
 
 }  // namespace filigree

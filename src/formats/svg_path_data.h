@@ -1,4 +1,4 @@
-// Path data of polygons in as few bytes as is sensible: relative commands, whole multiples of 10^-decimals.
+// Path data of polygons and curves in as few bytes as is sensible: relative commands, whole multiples of 10^-decimals.
 //
 // Guarantee: each point is the exact grid point, rounded half away from zero; every step is the difference of
 // two rounded points, so rounding never adds up. No doubles take part. About 60 million coordinates a second.
@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "plane/path.h"
 #include "plane/polygon.h"
 
 namespace filigree {
@@ -44,5 +45,9 @@ Point put_path_data(TextBuffer& out, PolygonView polygon, int decimals, Point fr
 
 // The same of an open line, without a `z`; one that rounds to a single point is a line of no length.
 Point put_line_data(TextBuffer& out, RingView line, int decimals, Point from = {});
+
+// The same of a path, by its own commands; of arcs see svg_arcs.h. Its subpaths must begin with a move, and all points
+// lie on the plane.
+Point put_curve_data(TextBuffer& out, const Path& path, int decimals, Point from = {});
 
 }  // namespace filigree

@@ -214,6 +214,7 @@ private:
     }
 
     Point put_data(const DrawnShape& shape, Point from) {
+        if (has_curve(shape)) return put_curve_data(out_, drawing_.curves[shape.curve], decimals_, from);
         const PolygonView polygon = polygon_of(drawing_, shape);
         return drawing_.styles[shape.style].is_open ? put_line_data(out_, polygon.outer(), decimals_, from)
                                                     : put_path_data(out_, polygon, decimals_, from);
@@ -229,22 +230,25 @@ private:
     }
 
     // Lean: outers and holes turn against each other, so the rule of non-zero winding, SVG's own, unites
-    // overlapping shapes where the even-odd rule would leave holes.
+    // overlapping shapes where the even-odd rule would leave holes. Curves turn either way, and those that are filled
+    // are paths of their own.
     void put_runs() {
         const Style* style = nullptr;  // of the path that is being written
-        bool is_overlay = false;
+        bool is_overlay = false, is_own = false;
         std::size_t begin = 0;
         Point at;
         for (const PaintStep& step : painting_steps(drawing_)) {
             if (step.kind != PaintStep::Kind::shapes) continue;
             for (std::uint32_t s = step.first; s < step.end; ++s) {
                 const Style& wanted = drawing_.styles[drawing_.shapes[s].style];
-                if (style == nullptr || out_.size() - begin > longest_run ||
+                const bool was_own = std::exchange(is_own, has_curve(drawing_.shapes[s]) && has_fill(wanted));
+                if (style == nullptr || was_own || is_own || out_.size() - begin > longest_run ||
                     !may_join(*style, is_overlay, wanted, step.overlay)) {
                     if (style != nullptr) out_.put("\"/>\n");
                     Attributes initial;
                     out_.put("<path");
                     out_.put(changed(initial, wanted));
+                    if (is_own) out_.put(" fill-rule=\"evenodd\"");
                     out_.put(" d=\"");
                     begin = out_.size();
                     at = {};

@@ -1,7 +1,8 @@
 // Drawings as SVG: one `<path>` a shape, one `<g data-path>` a step, the document that made it in the metadata.
 //
 // Guarantee: the same drawing gives the same bytes. Coordinates are written relative, as whole multiples of
-// 10^-decimals; a path's rounding never adds up (each step is the difference of rounded absolutes).
+// 10^-decimals; a path's rounding never adds up (each step is the difference of rounded absolutes). Curves are written
+// by their own commands.
 //
 // Conventions: a group whose shapes all look alike says so once, for plotter tools as presentation attributes
 // and never as a style sheet; else each path does. A shape's id is `s` and the first eight digits of its key; where two
@@ -31,8 +32,8 @@ struct CarriedDocument {
 
 struct SvgOptions {
     int decimals = 3;  // digits after the point, 0..6
-    // No groups, ids or paths: opaque shapes of one style in a row become one path. Where shapes of one group that
-    // are both filled and stroked overlap, all their strokes show.
+    // No groups, ids or paths: opaque shapes of one style in a row become one path, but for filled curves. Where shapes
+    // of one group that are both filled and stroked overlap, all their strokes show.
     bool lean = false;
     const CarriedDocument* carried = nullptr;  // put into the metadata if given
     std::string title;                         // of the document; none if empty
