@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "base/elementary.h"
 
@@ -61,15 +60,6 @@ Element hull_line(const Element& e, Vec along) {
     return line_element(low, high);
 }
 
-// How far the points of a Bezier's control polygon lie from a line through the first one.
-double breadth(const Element& e, Vec along) {
-    const std::size_t count = e.kind == ElementKind::cubic ? 4 : 3;
-    const double size = length(along);
-    double most = 0;
-    for (std::size_t i = 1; i < count; ++i) most = std::max(most, std::fabs(cross(along, e.at[i] - e.at[0])) / size);
-    return most;
-}
-
 // The direction from the first control point to another, or between the last ones, in which it is longest.
 Vec main_direction(const Element& e) {
     const std::size_t count = e.kind == ElementKind::cubic ? 4 : 3;
@@ -82,7 +72,7 @@ Vec main_direction(const Element& e) {
     return best;
 }
 
-std::optional<Element> with_same_ink(Element made, const Element& of) {
+Element with_same_ink(Element made, const Element& of) {
     made.layer = of.layer;
     made.weight = of.weight;
     return made;
@@ -102,39 +92,72 @@ bool is_finite(const Element& e) {
     return std::isfinite(e.from) && std::isfinite(e.to) && std::isfinite(e.weight);
 }
 
-// Of a curve of which the control polygon is no broader than a line: nothing where it is a dot.
-std::optional<Element> straight_form(const Element& e, Vec along, double tolerance) {
-    const Element line = hull_line(e, along);
-    if (length(line.at[1] - line.at[0]) <= tolerance) return std::nullopt;
-    return with_same_ink(directed(line), e);
+Element without_negative_zeros(Element e) {
+    for (Vec& p : e.at) p = p + Vec{0, 0};
+    return e;
 }
 
-std::optional<Element> arc_form(const Element& e, double tolerance) {
-    const Vec middle = point_at(e, 0.5 * (e.from + e.to));
+// The line that a Bezier looks like, between its outermost points; nothing where it is broader than the tolerance.
+std::optional<Element> line_of_flat(const Element& e, double tolerance) {
+    const Vec along = main_direction(e);
+    if (squared(along) == 0) return line_element(e.at[0], e.at[0]);
+    const Element line = hull_line(e, along);
+    const Vec way = line.at[1] - line.at[0];
+    const std::size_t count = e.kind == ElementKind::cubic ? 4 : 3;
+    double most = 0;
+    for (std::size_t i = 0; i < count; ++i) most = std::max(most, std::fabs(cross(way, e.at[i] - line.at[0])));
+    // With both ends on the line the curve keeps within half (of a cubic: three quarters) of its control polygon.
     const auto [first, last] = ends_of(e);
-    const Vec chord = last - first;
-    // Of less than half a turn the middle is about the farthest from the chord.
-    if (e.to - e.from < elementary::pi && squared(chord) > 0 &&
-        std::fabs(cross(chord, middle - first)) <= tolerance * length(chord)) {
-        if (length(chord) <= tolerance) return std::nullopt;
-        return with_same_ink(directed(line_element(first, last)), e);
+    const bool is_between_ends = std::pair(first, last) == std::pair(line.at[0], line.at[1]) ||
+                                 std::pair(first, last) == std::pair(line.at[1], line.at[0]);
+    const double share = !is_between_ends ? 1 : e.kind == ElementKind::parabola ? 0.5 : 0.75;
+    if (!(share * most <= tolerance * length(way))) return std::nullopt;
+    return line;
+}
+
+std::optional<Element> line_form(const Element& line, const Element& of, double tolerance) {
+    if (length(line.at[1] - line.at[0]) <= tolerance) return std::nullopt;
+    return with_same_ink(directed(line), of);
+}
+
+// Of an arc that is not flat: a nearly round ellipse is a circle, and what ends where it began is whole.
+Element round_form(const Element& e, double tolerance) {
+    Vec u = e.at[1], v = e.at[2];
+    const double broad = length(u), narrow = length(v);
+    if (!is_circular(e) && broad - narrow <= tolerance) {
+        const double radius = 0.5 * (broad + narrow);
+        u = u * (radius / broad);
+        v = perpendicular(u);
     }
-    const double broad = length(e.at[1]), narrow = length(e.at[2]);
-    if (broad * std::min(e.to - e.from, 4.0) <= tolerance) return std::nullopt;
-    if (narrow > tolerance) return with_same_ink(arc_element(e.at[0], e.at[1], e.at[2], e.from, e.to), e);
-    // A flat ellipse: the part of its long axis that it covers.
+    const Element form = with_same_ink(arc_element(e.at[0], u, v, e.from, e.to), e);
+    const double gap = turn - (form.to - form.from);
+    if (gap * length(velocity_at(form, form.to + 0.5 * gap)) > tolerance) return form;
+    return with_same_ink(arc_element(e.at[0], u, v, 0, turn), e);
+}
+
+// Of an ellipse as flat as a line: the part of its long axis that the arc covers.
+std::optional<Element> flat_ellipse_form(const Element& e, double tolerance) {
+    const auto [first, last] = ends_of(e);
     double low = std::min(dot(first, e.at[1]), dot(last, e.at[1])),
            high = std::max(dot(first, e.at[1]), dot(last, e.at[1]));
     const double own = dot(e.at[0], e.at[1]), reach = squared(e.at[1]);
+    if (!(reach > 0)) return std::nullopt;
     for (int half = -4; half <= 8; ++half) {
         if (const double t = half * elementary::pi; t > e.from && t < e.to) {
             (half % 2 == 0 ? high : low) = own + (half % 2 == 0 ? reach : -reach);
         }
     }
-    const Vec unit = e.at[1] * (1 / squared(e.at[1]));
-    const Element line = line_element(e.at[0] + unit * (low - own), e.at[0] + unit * (high - own));
-    if (length(line.at[1] - line.at[0]) <= tolerance) return std::nullopt;
-    return with_same_ink(directed(line), e);
+    const Vec unit = e.at[1] * (1 / reach);
+    return line_form(line_element(e.at[0] + unit * (low - own), e.at[0] + unit * (high - own)), e, tolerance);
+}
+
+// Whether an arc keeps within the tolerance of its chord. Of less than half a turn the middle is the farthest from it;
+// at a flat ellipse's tip it may turn back.
+bool is_flat_arc(const Element& e, double tolerance) {
+    const auto [first, last] = ends_of(e);
+    const Vec chord = last - first, middle = point_at(e, 0.5 * (e.from + e.to));
+    return e.to - e.from < elementary::pi && std::fabs(cross(chord, middle - first)) <= tolerance * length(chord) &&
+           dot(velocity_at(e, e.from), chord) > 0 && dot(velocity_at(e, e.to), chord) > 0;
 }
 
 }  // namespace
@@ -174,7 +197,8 @@ Element arc_element(Vec centre, Vec u, Vec v, double from, double to) {
         from = -from;
         to = -to;
     };
-    if (std::hypot(2 * uv, uu - vv) <= 1e-9 * (uu + vv)) {
+    // What is in this form already stays as it is, to the last bit.
+    if (4 * uv * uv + (uu - vv) * (uu - vv) <= 1e-18 * (uu + vv) * (uu + vv)) {
         const double radius = std::sqrt(0.5 * (uu + vv));
         if (cross(u, v) < 0) mirror_angles();
         const double at = elementary::atan2(u.y, u.x);
@@ -183,13 +207,15 @@ Element arc_element(Vec centre, Vec u, Vec v, double from, double to) {
         u = {radius, 0};
         v = {0, radius};
     } else {
-        const double shift = 0.5 * elementary::atan2(2 * uv, uu - vv);
-        const auto [cosine, sine] = elementary::cos_sin(shift);
-        const Vec longer = u * cosine + v * sine;
-        v = v * cosine - u * sine;
-        u = longer;
-        from -= shift;
-        to -= shift;
+        if (uu < vv || std::fabs(uv) > 1e-14 * (uu + vv)) {
+            const double shift = 0.5 * elementary::atan2(2 * uv, uu - vv);
+            const auto [cosine, sine] = elementary::cos_sin(shift);
+            const Vec longer = u * cosine + v * sine;
+            v = v * cosine - u * sine;
+            u = longer;
+            from -= shift;
+            to -= shift;
+        }
         if (cross(u, v) < 0) {
             v = -v;
             mirror_angles();
@@ -201,13 +227,17 @@ Element arc_element(Vec centre, Vec u, Vec v, double from, double to) {
             to += elementary::pi;
         }
     }
-    const double sweep = std::min(to - from, turn);
-    if (sweep >= turn * (1 - 1e-15)) {
+    if (to - from >= turn * (1 - 1e-15)) {
         from = -elementary::pi;
         to = elementary::pi;
-    } else {
-        from -= turn * std::floor((from + elementary::pi) / turn);
-        to = from + sweep;
+    } else if (!(from >= -elementary::pi && from < elementary::pi)) {
+        const double turns = turn * std::floor((from + elementary::pi) / turn);
+        from = std::max(from - turns, -elementary::pi);
+        to -= turns;
+        if (from >= elementary::pi) {
+            from = -elementary::pi;
+            to -= turn;
+        }
     }
     Element e;
     e.kind = ElementKind::arc;
@@ -275,26 +305,51 @@ std::pair<Vec, Vec> ends_of(const Element& e) {
     return {};
 }
 
+double rough_length(const Element& e) {
+    switch (e.kind) {
+        case ElementKind::point:
+            return 0;
+        case ElementKind::line:
+            return length(e.at[1] - e.at[0]);
+        case ElementKind::parabola:
+            return length(e.at[1] - e.at[0]) + length(e.at[2] - e.at[1]);
+        case ElementKind::cubic:
+            return length(e.at[1] - e.at[0]) + length(e.at[2] - e.at[1]) + length(e.at[3] - e.at[2]);
+        case ElementKind::arc:
+            return length(e.at[1]) * (e.to - e.from);
+    }
+    return 0;
+}
+
+double rough_length(const Element& e, Interval on) {
+    if (e.kind == ElementKind::arc) return (on.to - on.from) * length(velocity_at(e, 0.5 * (on.from + on.to)));
+    return rough_length(piece_of(e, on));
+}
+
 double length_of(const Element& e) {
     if (e.kind == ElementKind::point) return 0;
     if (e.kind == ElementKind::line) return length(e.at[1] - e.at[0]);
     const Interval on = interval_of(e);
     if (e.kind == ElementKind::arc && is_circular(e)) return length(e.at[1]) * (on.to - on.from);
-    // Gauss's rule of five points on eight parts.
-    constexpr int parts = 8;
+    // Gauss's rule of five points, on ever more parts.
     constexpr std::array<double, 5> places = {0, -0.5384693101056831, 0.5384693101056831, -0.9061798459386640,
                                               0.9061798459386640};
     constexpr std::array<double, 5> weights = {0.5688888888888889, 0.4786286704993665, 0.4786286704993665,
                                                0.2369268850561891, 0.2369268850561891};
-    const double half = 0.5 * (on.to - on.from) / parts;
-    double sum = 0;
-    for (int part = 0; part < parts; ++part) {
-        const double middle = on.from + half * (2 * part + 1);
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            sum += weights[i] * length(velocity_at(e, middle + half * places[i]));
+    double before = -1;
+    for (int parts = 4;; parts *= 2) {
+        const double half = 0.5 * (on.to - on.from) / parts;
+        double sum = 0;
+        for (int part = 0; part < parts; ++part) {
+            const double middle = on.from + half * (2 * part + 1);
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                sum += weights[i] * length(velocity_at(e, middle + half * places[i]));
+            }
         }
+        sum *= half;
+        if (std::fabs(sum - before) <= 1e-8 * sum || parts == 1024) return sum;
+        before = sum;
     }
-    return sum * half;
 }
 
 void extend(Bounds& bounds, Vec p) {
@@ -355,9 +410,7 @@ Element piece_of(const Element& e, Interval on) {
             break;
         }
         case ElementKind::arc:
-            piece.from = std::min(u, v);
-            piece.to = std::max(u, v);
-            return *with_same_ink(arc_element(b[0], b[1], b[2], u, v), e);
+            return with_same_ink(arc_element(b[0], b[1], b[2], u, v), e);
     }
     return piece;
 }
@@ -366,7 +419,7 @@ Element transformed(const Element& e, const Transform& by) {
     Element moved = e;
     if (e.kind == ElementKind::arc) {
         const auto turned = [&](Vec v) { return Vec{by.a * v.x + by.c * v.y, by.b * v.x + by.d * v.y}; };
-        return *with_same_ink(arc_element(apply(by, e.at[0]), turned(e.at[1]), turned(e.at[2]), e.from, e.to), e);
+        return with_same_ink(arc_element(apply(by, e.at[0]), turned(e.at[1]), turned(e.at[2]), e.from, e.to), e);
     }
     const std::size_t count = e.kind == ElementKind::point      ? 1
                               : e.kind == ElementKind::line     ? 2
@@ -384,43 +437,53 @@ Element reversed(const Element& e) {
     return back;
 }
 
-std::optional<Element> normal_form(const Element& e, double tolerance) {
-    if (!is_finite(e)) return std::nullopt;
-    switch (e.kind) {
-        case ElementKind::point:
-            return e;
-        case ElementKind::line:
-            if (length(e.at[1] - e.at[0]) <= tolerance) return std::nullopt;
-            return directed(e);
-        case ElementKind::arc:
-            return arc_form(e, tolerance);
-        case ElementKind::cubic: {
-            // A curve departs from the parabola with its ends and its middle's tangent by |a| sqrt(3) / 36.
-            const auto k = coefficients(e);
-            if (length(k[0]) * 0.04811252243246881 <= tolerance) {
-                const Vec middle = (3 * (e.at[1] + e.at[2]) - e.at[0] - e.at[3]) * 0.25;
-                return normal_form(*with_same_ink(parabola_element(e.at[0], middle, e.at[3]), e), tolerance);
-            }
-            [[fallthrough]];
-        }
-        case ElementKind::parabola: {
-            const Vec along = main_direction(e);
-            if (squared(along) == 0) return std::nullopt;
-            // The curve keeps within half (of a cubic: three quarters) of its control polygon's breadth.
-            const double share = e.kind == ElementKind::parabola ? 0.5 : 0.75;
-            if (share * breadth(e, along) <= tolerance) return straight_form(e, along, tolerance);
-            return directed(e);
-        }
+std::optional<Element> own_form(const Element& given, double tolerance) {
+    if (!is_finite(given)) return std::nullopt;
+    const Element e = without_negative_zeros(given);
+    if (e.kind == ElementKind::point) return e;
+    if (e.kind == ElementKind::arc) {
+        const Element arc = with_same_ink(arc_element(e.at[0], e.at[1], e.at[2], e.from, e.to), e);
+        if (length(arc.at[2]) <= tolerance) return flat_ellipse_form(arc, tolerance);
+        const Element form = round_form(arc, tolerance);
+        if (rough_length(form) <= tolerance) return std::nullopt;
+        return form;
     }
-    return std::nullopt;
+    if (e.kind != ElementKind::line && turning_points(coefficients(e), main_direction(e)).count > 0) {
+        if (const auto line = line_of_flat(e, tolerance)) return line_form(*line, e, tolerance);
+    }
+    if (rough_length(e) <= tolerance) return std::nullopt;
+    return directed(e);
+}
+
+std::optional<Element> normal_form(const Element& given, double tolerance) {
+    const std::optional<Element> own = own_form(given, tolerance);
+    if (!own) return own;
+    const Element& e = *own;
+    if (e.kind == ElementKind::arc && is_flat_arc(e, tolerance)) {
+        const auto [first, last] = ends_of(e);
+        return line_form(line_element(first, last), e, tolerance);
+    }
+    if (e.kind != ElementKind::parabola && e.kind != ElementKind::cubic) return e;
+    if (const auto line = line_of_flat(e, tolerance)) return line_form(*line, e, tolerance);
+    // A cubic departs from the parabola with its ends and its middle's tangent by |a| sqrt(3) / 36.
+    if (e.kind == ElementKind::cubic && length(coefficients(e)[0]) * 0.04811252243246881 <= tolerance) {
+        const Vec middle = (3 * (e.at[1] + e.at[2]) - e.at[0] - e.at[3]) * 0.25;
+        const Element parabola = with_same_ink(parabola_element(e.at[0], middle, e.at[3]), e);
+        // One that is a line would look too different from the cubic.
+        if (!line_of_flat(parabola, tolerance)) return directed(parabola);
+    }
+    return e;
 }
 
 bool comes_before(const Element& a, const Element& b) {
-    const auto key = [](const Element& e) {
-        return std::tuple(e.kind, e.layer, e.at[0].x, e.at[0].y, e.at[1].x, e.at[1].y, e.at[2].x, e.at[2].y, e.at[3].x,
-                          e.at[3].y, e.from, e.to, e.weight);
-    };
-    return key(a) < key(b);
+    if (a.kind != b.kind) return a.kind < b.kind;
+    if (a.layer != b.layer) return a.layer < b.layer;
+    for (std::size_t i = 0; i < a.at.size(); ++i) {
+        if (a.at[i] != b.at[i]) return is_less(a.at[i], b.at[i]);
+    }
+    if (a.from != b.from) return a.from < b.from;
+    if (a.to != b.to) return a.to < b.to;
+    return a.weight < b.weight;
 }
 
 }  // namespace filigree::curves

@@ -63,8 +63,12 @@ bool is_closed(const Element& e);
 Vec point_at(const Element& e, double t);
 Vec velocity_at(const Element& e, double t);
 std::pair<Vec, Vec> ends_of(const Element& e);
-// Of the curve, px. To about 1e-6 for curves that do not fold.
+// Of the curve, px; to about 1e-8 of it.
 double length_of(const Element& e);
+// Cheap lengths, px, that come near the length of short pieces: of Beziers that of the control polygon, never less.
+// The second is of the descriptor between two parameters.
+double rough_length(const Element& e);
+double rough_length(const Element& e, Interval on);
 
 struct Bounds {  // px, closed; empty while min > max
     Vec min{1e300, 1e300}, max{-1e300, -1e300};
@@ -81,8 +85,12 @@ Element reversed(const Element& e);
 
 // As the simplest element that looks the same to within the tolerance (px): a cubic of lower degree is a parabola, a
 // straight curve is the line between its outermost points. Lines and curves start at the lesser end (x, then y).
-// Nothing where the whole is shorter than the tolerance, or not finite. Points stay.
+// A nearly round ellipse is a circle, and an arc that ends where it began is a whole one. Nothing where the whole is
+// shorter than the tolerance, or not finite. Points stay. The normal form of a normal form is the same, bit by bit.
 std::optional<Element> normal_form(const Element& e, double tolerance);
+// The same for pieces of curves: they keep their kind, however flat they are, since what a curve was cut into must make
+// the curve again. Only a flat curve that turns back on itself is a line.
+std::optional<Element> own_form(const Element& e, double tolerance);
 
 // Total orders of elements: by kind, layer, then all coordinates, then weight.
 bool comes_before(const Element& a, const Element& b);
