@@ -1,0 +1,116 @@
+#include "curves/match_index.h"
+
+#include <cmath>
+
+namespace filigree::curves {
+namespace {
+
+template <class T>
+void drop_row(std::vector<T>& column, std::size_t row) {
+    column[row] = column.back();
+    column.pop_back();
+}
+
+Glimpse glimpse_of(const Element& e) {
+    Glimpse glimpse{e.at[0], {}, {}, e.weight, e.layer, e.kind};
+    if (e.kind == ElementKind::line) glimpse.b = e.at[1] - e.at[0];
+    if (e.kind == ElementKind::parabola) {
+        glimpse.a = e.at[0] - 2 * e.at[1] + e.at[2];
+        glimpse.b = 2 * (e.at[1] - e.at[0]);
+    }
+    return glimpse;
+}
+
+Vec middle_of(const Element& e) {
+    const Interval on = interval_of(e);
+    return point_at(e, 0.5 * (on.from + on.to));
+}
+
+}  // namespace
+
+MatchIndex::MatchIndex(const Shape& design)
+    : elements_(design.elements),
+      glimpses_(elements_.size()),
+      frames_(elements_.size()),
+      row_(elements_.size(), none),
+      grid_(elements_) {
+    for (std::uint32_t slot = 0; slot < elements_.size(); ++slot) enter(slot);
+}
+
+void MatchIndex::enter(std::uint32_t slot) {
+    const Element& e = elements_[slot];
+    glimpses_[slot] = glimpse_of(e);
+    if (e.kind != ElementKind::parabola) {
+        auto& slots = slots_[static_cast<std::size_t>(e.kind)];
+        row_[slot] = static_cast<std::uint32_t>(slots.size());
+        slots.push_back(slot);
+        return;
+    }
+    const ParabolaFrame frame = frame_of(e);
+    frames_[slot] = frame;
+    row_[slot] = static_cast<std::uint32_t>(parabolas_.slots.size());
+    parabolas_.low.push_back(frame.low);
+    parabolas_.high.push_back(frame.high);
+    parabolas_.per_px_low.push_back(slope_per_px(frame, frame.low));
+    parabolas_.per_px_high.push_back(slope_per_px(frame, frame.high));
+    parabolas_.radius.push_back(length(frame.m));
+    parabolas_.slots.push_back(slot);
+}
+
+void MatchIndex::leave(std::uint32_t slot) {
+    const std::uint32_t row = row_[slot];
+    row_[slot] = none;
+    if (elements_[slot].kind != ElementKind::parabola) {
+        auto& slots = slots_[static_cast<std::size_t>(elements_[slot].kind)];
+        if (slots.back() != slot) row_[slots.back()] = row;
+        drop_row(slots, row);
+        return;
+    }
+    if (parabolas_.slots.back() != slot) row_[parabolas_.slots.back()] = row;
+    drop_row(parabolas_.low, row);
+    drop_row(parabolas_.high, row);
+    drop_row(parabolas_.per_px_low, row);
+    drop_row(parabolas_.per_px_high, row);
+    drop_row(parabolas_.radius, row);
+    drop_row(parabolas_.slots, row);
+}
+
+MatchIndex::Change MatchIndex::update(std::span<const Element> removed, std::span<const Element> added) {
+    Change change;
+    for (const Element& e : removed) {
+        std::uint32_t found = none;
+        const Vec middle = middle_of(e);
+        grid_.visit_near(middle, 1e-12 * (std::fabs(middle.x) + std::fabs(middle.y)), [&](std::uint32_t slot) {
+            if (elements_[slot] == e) found = slot;
+        });
+        if (found == none) continue;
+        leave(found);
+        grid_.remove(found, e);
+        free_.push_back(found);
+        change.removed.push_back(found);
+    }
+    for (const Element& e : added) {
+        std::uint32_t slot = static_cast<std::uint32_t>(elements_.size());
+        if (free_.empty()) {
+            elements_.emplace_back();
+            glimpses_.emplace_back();
+            frames_.emplace_back();
+            row_.push_back(none);
+        } else {
+            slot = free_.back();
+            free_.pop_back();
+        }
+        elements_[slot] = e;
+        enter(slot);
+        grid_.insert(slot, e);
+        change.added.push_back(slot);
+    }
+    if (grid_.insertions() > 64 + 2 * elements_.size()) {
+        ElementGrid fresh(elements_);
+        for (const std::uint32_t slot : free_) fresh.remove(slot, elements_[slot]);
+        grid_ = std::move(fresh);
+    }
+    return change;
+}
+
+}  // namespace filigree::curves
