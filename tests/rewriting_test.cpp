@@ -23,6 +23,17 @@ TEST(Rewriting, DerivePrintsTheWord) {
               std::string::npos);
 }
 
+TEST(Rewriting, ControlCharactersAreShownAsTheLanguageWritesThem) {
+    const std::string grammar = "grammar rewriting\naxiom \"a\\u{1b}\\u{7}\\u{9b}\\u{e9}\"\n";
+    EXPECT_EQ(derived(grammar, ""), "a\\u{1b}\\u{7}\\u{9b}\u00E9\n");
+    EXPECT_EQ(derived(grammar, "--slice 1:1"), "\\u{1b}\n");
+    EXPECT_EQ(derived(grammar, "--counts"), "a 1\n\\u{1b} 1\n\\u{7} 1\n\\u{9b} 1\n\u00E9 1\n");
+    EXPECT_EQ(derived(grammar, "--explain 1"),
+              "iteration 0: \\u{1b} at 1, of the axiom\niteration 1: kept, since no rule applies; "
+              "it becomes \"\\u{1b}\"\n");
+    EXPECT_NE(derived(grammar, "--format json").find("\"word\": \"a\\u001b\\u0007\xC2\x9B\u00E9\""), std::string::npos);
+}
+
 TEST(Rewriting, LongWordsAreAskedWithoutMakingThem) {
     EXPECT_EQ(derived(koch, "--length"), "3803\n");
     EXPECT_EQ(derived(koch, "--counts"), "F 2048\n- 879\n+ 876\n");

@@ -6,6 +6,7 @@
 #include "base/number_text.h"
 #include "engines/rewriting/explain.h"
 #include "engines/rewriting/symbols.h"
+#include "session/list_word.h"
 
 namespace filigree {
 namespace {
@@ -18,7 +19,7 @@ using rewriting::SymbolMoment;
 using rewriting::Verdict;
 
 std::string letter_text(char32_t letter) { return rewriting::to_utf8(std::u32string(1, letter)); }
-std::string quoted(const std::u32string& letters) { return "'" + rewriting::to_utf8(letters) + "'"; }
+std::string quoted(const std::u32string& letters) { return "'" + shown(letters) + "'"; }
 
 // Each as one word and as the end of a sentence about the symbol.
 struct FateText {
@@ -134,9 +135,9 @@ std::string told(const OpenedDocument& opened, const rewriting::Explanation& exp
     std::string text;
     const SymbolMoment* before = nullptr;
     for (const SymbolMoment& moment : explanation.moments) {
-        text += "iteration " + std::to_string(moment.iteration) + ": " + letter_text(moment.letter) + " at " +
+        text += "iteration " + std::to_string(moment.iteration) + ": " + shown({&moment.letter, 1}) + " at " +
                 std::to_string(moment.index);
-        if (moment.system != 0) text += " of the system " + letter_text(moment.system);
+        if (moment.system != 0) text += " of the system " + shown({&moment.system, 1});
         if (moment.turns > 0)
             text += ", asleep for " + std::to_string(moment.turns) + (moment.turns == 1 ? " turn" : " turns");
         if (moment.iteration == 0) {
@@ -152,7 +153,7 @@ std::string told(const OpenedDocument& opened, const rewriting::Explanation& exp
     const SymbolMoment& last = explanation.moments.back();
     text += "iteration " + std::to_string(last.iteration + 1) + ": ";
     text += last.fate == Fate::rewritten || !explanation.next ? "" : fate_text(opened, last) + "; ";
-    text += explanation.next ? "it becomes \"" + rewriting::to_utf8(*explanation.next) + "\"\n" : "it cannot be made\n";
+    text += explanation.next ? "it becomes \"" + shown(*explanation.next) + "\"\n" : "it cannot be made\n";
     for (const RuleTrial& trial : last.trials) {
         text += "  " + said_text(opened, trial.rule->span) + "\n    " + reason(trial, last) + "\n";
     }

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/unicode.h"
 #include "engines/rewriting/decide.h"
 #include "engines/rewriting/implicit_word.h"
 #include "engines/rewriting/plain.h"
@@ -12,10 +13,37 @@ namespace {
 
 constexpr std::uint64_t most_in_slice = 100'000'000;
 
+bool is_control(char32_t letter) { return letter < 0x20 || (letter >= 0x7F && letter < 0xA0); }
+
+std::string shown_word(const rewriting::Word& word, const rewriting::Alphabet& alphabet) {
+    for (std::size_t s = 0; s < alphabet.size(); ++s) {
+        if (is_control(alphabet[static_cast<rewriting::Symbol>(s)].letter)) {
+            return shown(rewriting::letters_of(word, alphabet));
+        }
+    }
+    return rewriting::to_text(word, alphabet);
+}
+
 }  // namespace
 
+std::string shown(std::u32string_view letters) {
+    std::string text;
+    for (const char32_t letter : letters) {
+        if (!is_control(letter)) {
+            unicode::append_utf8(text, letter);
+            continue;
+        }
+        constexpr std::string_view digits = "0123456789abcdef";
+        text += "\\u{";
+        if (letter >= 0x10) text += digits[letter >> 4];
+        text += digits[letter & 15];
+        text += '}';
+    }
+    return text;
+}
+
 std::string word_text(const rewriting::Derivation& derivation) {
-    return rewriting::to_text(derivation.word, derivation.alphabet) + "\n";
+    return shown_word(derivation.word, derivation.alphabet) + "\n";
 }
 
 std::string word_json(const OpenedDocument& opened, const CheckedDocument& checked,
@@ -68,7 +96,7 @@ Result<std::string> answer(const OpenedDocument& opened, const CheckedDocument& 
         for (std::size_t s = 0; s < derivation->alphabet.size(); ++s) {
             if (counts[s] == rewriting::BigInt()) continue;
             const char32_t letter = derivation->alphabet[static_cast<rewriting::Symbol>(s)].letter;
-            text += rewriting::to_utf8(std::u32string(1, letter)) + " " + rewriting::to_text(counts[s]) + "\n";
+            text += shown({&letter, 1}) + " " + rewriting::to_text(counts[s]) + "\n";
         }
         return text;
     }
@@ -82,7 +110,7 @@ Result<std::string> answer(const OpenedDocument& opened, const CheckedDocument& 
     if (!word) return word.diagnostics();
     rewriting::Word slice;
     slice.symbols = word->slice(*first, question.count);
-    return rewriting::to_text(slice, derivation->alphabet) + "\n";
+    return shown_word(slice, derivation->alphabet) + "\n";
 }
 
 }  // namespace filigree

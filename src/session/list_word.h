@@ -2,12 +2,17 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "session/run.h"
 
 namespace filigree {
 
-// The word and a line end.
+// Letters for people to read: control characters as the language writes them in quotes, \u{1b}, since a terminal would
+// obey them. JSON has all letters as they are.
+std::string shown(std::u32string_view letters);
+
+// The word as it is shown, and a line end.
 std::string word_text(const rewriting::Derivation& derivation);
 
 // With the symbols that wait, how many turns they have left, and the registers.
