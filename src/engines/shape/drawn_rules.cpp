@@ -3,59 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <initializer_list>
-#include <iterator>
 #include <set>
 #include <type_traits>
 #include <utility>
 
 #include "curves/path_elements.h"
+#include "engines/shape/drawn_groups.h"
 
 namespace filigree::shape {
 namespace {
-
-// --- what names say
-
-enum class Role : std::uint8_t { plain, left, right, condition, region, origin, notes };
-
-Role role_said(std::string_view name) {
-    std::string word;
-    for (const char c : name) word += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    word.erase(0, word.find_first_not_of(" \t\n\r"));
-    if (word.starts_with("unless")) return Role::condition;
-    if (word.starts_with("void")) return Role::region;
-    word.erase(word.find_last_not_of(" \t\n\r-_0123456789") + 1);
-    const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
-        return std::find(names.begin(), names.end(), word) != names.end();
-    };
-    if (is_one_of({"left", "a", "alpha", "\u03b1", "lhs"})) return Role::left;
-    if (is_one_of({"right", "b", "beta", "\u03b2", "rhs"})) return Role::right;
-    if (word == "origin") return Role::origin;
-    if (is_one_of({"notes", "note"})) return Role::notes;
-    return Role::plain;
-}
-template <class Named>
-Role role_of(const Named& named) {
-    const Role role = role_said(named.label);
-    return role == Role::plain ? role_said(named.id) : role;
-}
-// What something is within what is around it.
-Role role_within(Role around, Role own) {
-    if (around == Role::notes || around == Role::origin) return around;
-    if (own == Role::notes || own == Role::origin) return own;
-    if (around == Role::condition || around == Role::region) return around;
-    return own == Role::condition || own == Role::region ? own : Role::plain;
-}
-
-std::string name_of(const SvgGroup& group) {
-    std::string name = group.label.empty() ? group.id : group.label;
-    name.erase(0, name.find_first_not_of(" \t\n\r"));
-    name.erase(name.find_last_not_of(" \t\n\r") + 1);
-    return name;
-}
-
-// --- what is drawn
 
 void extend(curves::Bounds& bounds, const Path& path) {
     for (const curves::Element& e : curves::elements_of(path)) {
@@ -112,14 +68,14 @@ struct Frame {
 class Pencil {
 public:
     Pencil(const SvgPicture& picture, const DrawnOptions& options) : options_(options) {
-        std::vector<Role> roles;
+        std::vector<DrawnRole> roles;
         for (const SvgGroup& group : picture.groups) {
-            roles.push_back(role_within(group.parent ? roles[*group.parent] : Role::plain, role_of(group)));
+            roles.push_back(role_within(group.parent ? roles[*group.parent] : DrawnRole::plain, role_of(group)));
         }
         std::optional<Colour> first;
         for (const SvgShape& shape : picture.shapes) {
-            const Role role = role_within(shape.group ? roles[*shape.group] : Role::plain, role_of(shape));
-            if (!shape.stroke || (role != Role::plain && role != Role::condition)) continue;
+            const DrawnRole role = role_within(shape.group ? roles[*shape.group] : DrawnRole::plain, role_of(shape));
+            if (!shape.stroke || (role != DrawnRole::plain && role != DrawnRole::condition)) continue;
             has_colours_ = has_colours_ || (first && *first != *shape.stroke);
             first = shape.stroke;
         }
@@ -139,96 +95,10 @@ private:
     bool has_colours_ = false;
 };
 
-// --- which groups are rules
-
-struct RuleGroups {
-    std::size_t rule = 0, left = 0, right = 0;
-};
-
-class RuleFinder {
-public:
-    explicit RuleFinder(const SvgPicture& picture) : groups_(picture.groups), inside_(groups_.size()) {
-        has_named_sides_.resize(groups_.size(), false);
-        for (std::size_t g = 0; g < groups_.size(); ++g) {
-            if (const auto parent = groups_[g].parent) inside_[*parent].push_back(g);
-        }
-        for (std::size_t g = groups_.size(); g-- > 0;) {
-            const Role role = role_of(groups_[g]);
-            const bool is_side = role == Role::left || role == Role::right;
-            if (is_side || (role == Role::plain && has_named_sides_[g])) {
-                if (const auto parent = groups_[g].parent) has_named_sides_[*parent] = true;
-            }
-        }
-    }
-
-    std::vector<RuleGroups> find() {
-        for (std::size_t g = 0; g < groups_.size(); ++g) {
-            if (!groups_[g].parent) look_at(g);
-        }
-        return std::move(rules_);
-    }
-    Diagnostics take_diagnostics() { return std::move(diagnostics_); }
-
-private:
-    std::vector<std::size_t> inside_of(std::size_t g, Role role) const {
-        std::vector<std::size_t> found;
-        std::copy_if(inside_[g].begin(), inside_[g].end(), std::back_inserter(found),
-                     [&](std::size_t i) { return role_of(groups_[i]) == role; });
-        return found;
-    }
-
-    void look_at(std::size_t g) {
-        const Role role = role_of(groups_[g]);
-        if (role != Role::plain && role != Role::left && role != Role::right) return;
-        const auto left = inside_of(g, Role::left), right = inside_of(g, Role::right);
-        if (!left.empty() || !right.empty()) return take_named(g, left, right);
-        if (groups_[g].is_layer || has_named_sides_[g]) {
-            for (const std::size_t i : inside_[g]) look_at(i);
-            return;
-        }
-        const auto plain = inside_of(g, Role::plain);
-        if (plain.size() == 2) {
-            rules_.push_back({g, plain[0], plain[1]});
-        } else if (plain.size() == 1 && inside_[plain[0]].size() > 1) {
-            look_at(plain[0]);  // a group around one rule alone
-        } else if (!plain.empty()) {
-            diagnostics_.push_back(warning("shape.no-sides",
-                                           described(g) + " holds " + std::to_string(plain.size()) +
-                                               (plain.size() == 1 ? " group" : " groups") +
-                                               ", none called 'left' or 'right', and is taken for no rule",
-                                           groups_[g].span));
-        }
-    }
-
-    void take_named(std::size_t g, const std::vector<std::size_t>& left, const std::vector<std::size_t>& right) {
-        for (const auto& [sides, side] : {std::pair(&left, "left"), std::pair(&right, "right")}) {
-            if (sides->empty()) {
-                diagnostics_.push_back(error("shape.one-side", described(g) + " has no group '" + side + "'",
-                                             groups_[g].span, {"a rule that erases has an empty one"}));
-            } else if (sides->size() > 1) {
-                diagnostics_.push_back(error("shape.side-twice", described(g) + " has two groups '" + side + "'",
-                                             groups_[(*sides)[1]].span));
-            }
-        }
-        if (left.size() == 1 && right.size() == 1) rules_.push_back({g, left[0], right[0]});
-    }
-
-    std::string described(std::size_t g) const {
-        const std::string name = name_of(groups_[g]);
-        return name.empty() ? "a group without a name" : "the group '" + name + "'";
-    }
-
-    const std::vector<SvgGroup>& groups_;
-    std::vector<std::vector<std::size_t>> inside_;  // the groups directly in each
-    std::vector<bool> has_named_sides_;             // at any depth, but not in notes and the like
-    std::vector<RuleGroups> rules_;
-    Diagnostics diagnostics_;
-};
-
 // --- what belongs to them
 
 struct Extra {  // a condition or a region
-    Role role = Role::condition;
+    DrawnRole role = DrawnRole::condition;
     std::size_t around = 0;  // the frame that it stands in
     Frame frame;
 };
@@ -245,7 +115,7 @@ struct Place {
     std::optional<std::size_t> rule;
     std::size_t frame = beside;
     std::optional<std::size_t> extra;
-    Role role = Role::plain;
+    DrawnRole role = DrawnRole::plain;
 };
 
 class RuleReader {
@@ -274,10 +144,11 @@ public:
     std::vector<RuleParts> take() && { return std::move(parts_); }
 
 private:
-    Place place_within(const Place& around, Role own) {
+    Place place_within(const Place& around, DrawnRole own) {
         Place place = around;
         place.role = role_within(around.role, own);
-        if (around.role == Role::plain && (place.role == Role::condition || place.role == Role::region)) {
+        if (around.role == DrawnRole::plain &&
+            (place.role == DrawnRole::condition || place.role == DrawnRole::region)) {
             std::vector<Extra>& extras = parts_[*place.rule].extras;
             place.extra = extras.size();
             extras.push_back({place.role, place.frame, {}});
@@ -289,10 +160,10 @@ private:
     void add(const Drawn& drawn) {
         if (!drawn.group || !places_[*drawn.group].rule) return;
         const Place place = place_within(places_[*drawn.group], role_of(drawn));
-        if (place.role == Role::notes) return;
+        if (place.role == DrawnRole::notes) return;
         RuleParts& rule = parts_[*place.rule];
         Frame& frame = place.extra ? rule.extras[*place.extra].frame : rule.frames[place.frame];
-        if (place.role == Role::origin) return frame.add_mark(drawn);
+        if (place.role == DrawnRole::origin) return frame.add_mark(drawn);
         const bool is_caption = std::is_same_v<Drawn, SvgLabel> && !place.extra && place.frame == beside;
         if (!is_caption) pencil_.draw(drawn, frame.drawn);
     }
@@ -337,7 +208,7 @@ DrawnRule assembled(RuleParts parts, Diagnostics& diagnostics) {
         DrawnSide moved;
         append_moved(moved, extra.frame.drawn, own ? -*own : extra.around == at_right ? to_right : to_left);
         if (is_empty(moved)) continue;
-        if (extra.role == Role::condition) {
+        if (extra.role == DrawnRole::condition) {
             rule.conditions.push_back(std::move(moved));
             continue;
         }
@@ -357,9 +228,8 @@ DrawnRule assembled(RuleParts parts, Diagnostics& diagnostics) {
 }  // namespace
 
 Result<std::vector<DrawnRule>> drawn_rules(const SvgPicture& picture, const DrawnOptions& options) {
-    RuleFinder finder(picture);
-    const std::vector<RuleGroups> groups = finder.find();
-    Diagnostics diagnostics = finder.take_diagnostics();
+    Diagnostics diagnostics;
+    const std::vector<RuleGroups> groups = find_rules(picture.groups, diagnostics);
     std::vector<DrawnRule> rules;
     std::set<std::string> names;
     for (RuleParts& parts : RuleReader(picture, options, groups).take()) {
@@ -385,12 +255,12 @@ Result<DrawnSide> drawn_below(const SvgPicture& picture, std::string_view name, 
             if (!own.empty()) known.push_back(own);
         }
     };
-    const std::optional<Role> whole = name.empty() ? std::optional(Role::plain) : std::nullopt;
-    std::vector<std::optional<Role>> roles;  // of each group that is named or in one
+    const std::optional<DrawnRole> whole = name.empty() ? std::optional(DrawnRole::plain) : std::nullopt;
+    std::vector<std::optional<DrawnRole>> roles;  // of each group that is named or in one
     const auto role_below = [&](const auto& one, const std::optional<std::size_t>& around) {
-        const std::optional<Role> outside = around ? roles[*around] : whole;
+        const std::optional<DrawnRole> outside = around ? roles[*around] : whole;
         if (outside) return std::optional(role_within(*outside, role_of(one)));
-        return is_named(one) ? std::optional(Role::plain) : std::nullopt;
+        return is_named(one) ? std::optional(DrawnRole::plain) : std::nullopt;
     };
     for (const SvgGroup& group : picture.groups) {
         roles.push_back(role_below(group, group.parent));
@@ -400,9 +270,9 @@ Result<DrawnSide> drawn_below(const SvgPicture& picture, std::string_view name, 
     Frame frame;
     const auto add = [&](const auto& drawn) {
         know(drawn);
-        const std::optional<Role> role = role_below(drawn, drawn.group);
-        if (role == Role::origin) frame.add_mark(drawn);
-        if (role == Role::plain) pencil.draw(drawn, frame.drawn);
+        const std::optional<DrawnRole> role = role_below(drawn, drawn.group);
+        if (role == DrawnRole::origin) frame.add_mark(drawn);
+        if (role == DrawnRole::plain) pencil.draw(drawn, frame.drawn);
     };
     for (const SvgShape& shape : picture.shapes) add(shape);
     for (const SvgLabel& label : picture.labels) add(label);
