@@ -161,12 +161,17 @@ std::optional<Along> along(const Element& carrier, const Element& part, double r
 std::optional<Along> fitted_along(const Element& carrier, const Element& part, double first, double last,
                                   double reach) {
     const std::size_t count = carrier.kind == ElementKind::parabola ? 3 : 4;
+    Along best;
+    double least = 1e300;
     for (int round = 0;; ++round) {
         const Element piece = piece_of(carrier, {first, last});
         double most = 0;
         for (std::size_t i = 0; i < count; ++i) most = std::max(most, length(piece.at[i] - part.at[i]));
-        if (most <= reach) return Along{{std::min(first, last), std::max(first, last)}, last < first, most};
-        if (round == 2 || !(most <= 1e3 * reach)) return std::nullopt;
+        if (most < least) {
+            least = most;
+            best = Along{{std::min(first, last), std::max(first, last)}, last < first, most};
+        }
+        if (round == 3 || most <= reach * 0x1p-10 || !(most <= 1e3 * reach)) break;
         // How the control points move with the two parameters; they are linear in each but for the cubic's.
         const double step = 1e-4 * (last - first);
         const Element by_first = piece_of(carrier, {first + step, last});
@@ -181,10 +186,11 @@ std::optional<Along> fitted_along(const Element& carrier, const Element& part, d
             br += dot(b, r);
         }
         const double size = aa * bb - ab * ab;
-        if (!(size > 0)) return std::nullopt;
+        if (!(size > 0)) break;
         first += step * (ar * bb - br * ab) / size;
         last += step * (br * aa - ar * ab) / size;
     }
+    return least <= reach ? std::optional(best) : std::nullopt;
 }
 
 double parameter_near(const Element& carrier, Vec point, double guess) {

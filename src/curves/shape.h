@@ -12,8 +12,8 @@
 namespace filigree::curves {
 
 struct Shape {
-    // Each in normal form, or a piece of such an element, which keeps its kind however flat it is: else what a rule took
-    // away and another puts back would not merge with it again. Sorted by comes_before.
+    // Each in normal form, or a piece of such an element, which keeps its kind however flat it is: else what a rule
+    // took away and another puts back would not merge with it again. Sorted by comes_before.
     std::vector<Element> elements;
 
     bool operator==(const Shape&) const = default;
