@@ -87,67 +87,75 @@ void for_each_turn(const Element& e, Interval on, Visit visit) {
     for (const double by : {-turn, 0.0, turn}) visit(Interval{on.from + by, on.to + by});
 }
 
+// Calls visit(stretch, on) for where an interval, and so what is placed there, lies on an element; `on` is the interval
+// before it was cut to the element's own.
+template <class Visit>
+void for_each_stretch(const Element& e, const Element& other, const Placed& placed, Visit visit) {
+    const Interval own = interval_of(e);
+    const auto look = [&](Interval on) {
+        const Stretch stretch{{std::max(on.from, own.from), std::min(on.to, own.to)}, placed.first, placed.last};
+        if (stretch.on.from < stretch.on.to) visit(stretch, on);
+    };
+    if (is_closed(other)) return look(own);
+    for_each_turn(e, placed.on, look);
+}
+
 Stretches stretches_of(const Element& e, const Element& other, const Placed& placed, double tolerance,
                        Ambiguities* ambiguities) {
+    if (e.kind == ElementKind::point) return {{Stretch{interval_of(e), e.at[0], e.at[0]}}, 1, true};
     Stretches found;
-    const bool is_off = placed.distance > tolerance;
-    if (e.kind == ElementKind::point) {
-        if (is_off) {
-            note(ambiguities, Doubt::place, e.at[0], placed.distance, tolerance);
-        } else {
-            found.all[found.count++] = {interval_of(e), e.at[0], e.at[0]};
-        }
-        return found;
-    }
     const Interval own = interval_of(e);
-    const auto add = [&](Interval on) {
-        Stretch stretch{{std::max(on.from, own.from), std::min(on.to, own.to)}, placed.first, placed.last};
-        if (!(stretch.on.from < stretch.on.to)) return;
+    for_each_stretch(e, other, placed, [&](Stretch stretch, Interval on) {
         const double size = rough_length(e, stretch.on);
-        const Vec middle = point_at(e, 0.5 * (stretch.on.from + stretch.on.to));
-        if (is_off) {
-            if (size > doubtful * tolerance) note(ambiguities, Doubt::descriptor, middle, placed.distance, tolerance);
-            return;
-        }
         if (!(size > tolerance) || found.count == found.all.size()) return;
-        if (on.from < own.from || on.to > own.to) note(ambiguities, Doubt::overlap, middle, size, tolerance);
+        if (stretch.on != on) {
+            const Vec middle = point_at(e, 0.5 * (stretch.on.from + stretch.on.to));
+            note(ambiguities, Doubt::overlap, middle, size, tolerance);
+        }
+        const double lost = rough_length(e, {on.from, stretch.on.from}) + rough_length(e, {stretch.on.to, on.to});
+        found.has_all = lost <= as_good_as_exact * tolerance;
         if (stretch.on.from == own.from) stretch.first = point_at(e, own.from);
         if (stretch.on.to == own.to) stretch.last = point_at(e, own.to);
         found.all[found.count++] = stretch;
-    };
-    if (is_closed(other)) {
-        add(own);
-    } else {
-        for_each_turn(e, placed.on, add);
-    }
+    });
     return found;
 }
 
-double reach_for(double tolerance, const Ambiguities* ambiguities) {
-    return ambiguities != nullptr ? doubtful * tolerance : tolerance;
+// Where two elements that are not taken for parts of one curve lie together nevertheless.
+void note_beside(const Element& e, const Element& other, double tolerance, Ambiguities& ambiguities) {
+    const auto placed = placed_on(e, other, doubtful * tolerance);
+    if (!placed) return;
+    if (e.kind == ElementKind::point) return note(&ambiguities, Doubt::place, e.at[0], placed->distance, tolerance);
+    for_each_stretch(e, other, *placed, [&](const Stretch& stretch, Interval) {
+        if (rough_length(e, stretch.on) <= doubtful * tolerance) return;
+        const Vec middle = point_at(e, 0.5 * (stretch.on.from + stretch.on.to));
+        note(&ambiguities, Doubt::descriptor, middle, placed->distance, tolerance);
+    });
 }
 
 }  // namespace
 
 Stretches covered(const Element& e, const Element& other, double tolerance, Ambiguities* ambiguities) {
-    const auto placed = placed_on(e, other, reach_for(tolerance, ambiguities));
-    return placed ? stretches_of(e, other, *placed, tolerance, ambiguities) : Stretches{};
+    if (const auto placed = placed_on(e, other, tolerance)) {
+        return stretches_of(e, other, *placed, tolerance, ambiguities);
+    }
+    if (ambiguities != nullptr) note_beside(e, other, tolerance, *ambiguities);
+    return {};
 }
 
 std::vector<Element> common(const Element& a, const Element& b, double tolerance, Ambiguities* ambiguities) {
     std::vector<Element> pieces;
-    const auto relation = related(a, b, reach_for(tolerance, ambiguities));
-    if (!relation) return pieces;
+    const auto relation = related(a, b, tolerance);
+    if (!relation) {
+        if (ambiguities != nullptr) note_beside(a, b, tolerance, *ambiguities);
+        return pieces;
+    }
     const auto& [carrier, part, placed] = *relation;
-    const double weight = std::min(a.weight, b.weight), noticeable = as_good_as_exact * tolerance;
-    for (const Stretch& stretch : stretches_of(carrier, part, placed, tolerance, ambiguities).span()) {
-        // Where nothing noticeable was cut off, the part as it is.
-        const double lost = (placed.on.to - placed.on.from) - (stretch.on.to - stretch.on.from);
-        const bool is_whole = carrier.kind == ElementKind::point || is_closed(part) ||
-                              lost * length(velocity_at(carrier, stretch.on.to)) <= noticeable;
-        auto piece = is_whole ? std::optional(part) : piece_between(carrier, stretch, tolerance);
+    const Stretches stretches = stretches_of(carrier, part, placed, tolerance, ambiguities);
+    for (const Stretch& stretch : stretches.span()) {
+        auto piece = stretches.has_all ? std::optional(part) : piece_between(carrier, stretch, tolerance);
         if (!piece) continue;
-        piece->weight = weight;
+        piece->weight = std::min(a.weight, b.weight);
         pieces.push_back(*piece);
     }
     return pieces;
@@ -218,7 +226,8 @@ std::optional<Element> joined(const Element& a, const Element& b, double toleran
 }
 
 void note_nearly_joined(const Element& a, const Element& b, double tolerance, Ambiguities& ambiguities) {
-    const auto relation = related(a, b, doubtful * tolerance);
+    const auto close = related(a, b, tolerance);
+    const auto relation = close ? close : related(a, b, doubtful * tolerance);
     if (!relation) return;
     const auto& [carrier, part, placed] = *relation;
     if (carrier.kind == ElementKind::point) {

@@ -26,6 +26,7 @@ struct Stretch {
 struct Stretches {
     std::array<Stretch, 2> all{};
     std::size_t count = 0;
+    bool has_all = false;  // of the other element, whose stretches these are
 
     std::span<const Stretch> span() const { return {all.data(), count}; }
 };
