@@ -74,6 +74,9 @@ std::optional<std::pair<double, double>> map_by_coefficients(const Element& carr
 }
 
 std::optional<Along> along_cubic(const Element& carrier, const Element& part, double reach) {
+    // The highest coefficient keeps its direction in every piece, and is off by eight times what control points are.
+    const Vec a = leading(carrier);
+    if (std::fabs(cross(a, leading(part))) > 8 * reach * length(a)) return std::nullopt;
     std::optional<double> first_guess, last_guess;
     if (const auto map = map_by_coefficients(carrier, part)) {
         first_guess = map->second;
