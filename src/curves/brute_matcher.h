@@ -231,7 +231,7 @@ inline std::vector<Map> all_maps(const Shape& left_shape, const Shape& design_sh
     const auto take = [&](const Map& map) {
         if (!(std::abs(map.m) >= min_scale) || !lies_on(left, map, design, reach)) return;
         for (const Map& other : found) {
-            if (lies_on(left, chained(undone(other), map), left, 2 * reach / std::abs(other.m))) return;
+            if (lies_on(left, chained(undone(other), map), left, reach / std::abs(other.m))) return;
         }
         found.push_back(map);
     };

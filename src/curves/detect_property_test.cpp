@@ -11,7 +11,7 @@ namespace {
 
 using test_shapes::shape_of;
 
-constexpr double tolerance = 1e-7, reach = 1e-4, min_scale = 0.05;
+constexpr double tolerance = 1e-8, reach = 1e-6, min_scale = 0.05;
 
 Vec point_within(CaseRandom& draws, double size) {
     const double x = draws.between(-size, size);
@@ -83,7 +83,7 @@ void expect_same_matches(const Scene& scene) {
         const brute::Map map{{by.a, by.b}, {by.e, by.f}, match.is_reflected};
         EXPECT_TRUE(brute::lies_on(left, map, design, reach));
         const auto is_same = [&](const brute::Map& other) {
-            return brute::lies_on(left, brute::chained(brute::undone(other), map), left, reach * 10);
+            return brute::lies_on(left, brute::chained(brute::undone(other), map), left, reach / match.scale);
         };
         EXPECT_EQ(std::count_if(maps.begin(), maps.end(), is_same), 1);
     }
