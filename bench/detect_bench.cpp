@@ -19,6 +19,8 @@ using test_shapes::flower;
 using test_shapes::petal;
 using test_shapes::shape_of;
 
+constexpr double tolerance = 1e-6;
+
 Vec point_in(CaseRandom& draws, double size) { return {draws.between(0, size), draws.between(0, size)}; }
 
 Transform similarity_in(CaseRandom& draws, double size) {
@@ -75,20 +77,20 @@ void check(benchmark::State& state, const Matches& matches, std::size_t expected
 
 void detect_index(benchmark::State& state) {
     const Shape design = field(static_cast<std::size_t>(state.range(0)), 0);
-    for (auto _ : state) benchmark::DoNotOptimize(MatchIndex(design));
+    for (auto _ : state) benchmark::DoNotOptimize(MatchIndex(design, tolerance));
 }
 
 void detect_field(benchmark::State& state) {
     const auto count = static_cast<std::size_t>(state.range(0));
     const Shape left = six_arcs();
-    const MatchIndex design(field(count, count / 200));
+    const MatchIndex design(field(count, count / 200), tolerance);
     check(state, find_matches(left, design, {}), count / 200);
     for (auto _ : state) benchmark::DoNotOptimize(find_matches(left, design, {}));
 }
 
 void detect_flowers(benchmark::State& state) {
     const auto count = static_cast<std::size_t>(state.range(0));
-    const MatchIndex design(flowers(count));
+    const MatchIndex design(flowers(count), tolerance);
     check(state, find_matches(petal(), design, {}), count);
     for (auto _ : state) benchmark::DoNotOptimize(find_matches(petal(), design, {}));
 }

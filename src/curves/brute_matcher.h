@@ -38,9 +38,10 @@ inline Map chained(const Map& outer, const Map& inner) {
     both.t = outer(inner.t);
     return both;
 }
-inline std::vector<Map> maps_between(Complex p, Complex q, Complex to_p, Complex to_q) {
-    const Complex direct = (to_q - to_p) / (q - p), flipped = (to_q - to_p) / std::conj(q - p);
-    return {{direct, to_p - direct * p, false}, {flipped, to_p - flipped * std::conj(p), true}};
+inline std::array<Map, 2> maps_between(Complex p, Complex q, Complex to_p, Complex to_q) {
+    const Complex per_way = std::conj(q - p) / std::norm(q - p);
+    const Complex direct = (to_q - to_p) * per_way, flipped = (to_q - to_p) * std::conj(per_way);
+    return {Map{direct, to_p - direct * p, false}, Map{flipped, to_p - flipped * std::conj(p), true}};
 }
 
 // One curve, evaluated by de Casteljau's algorithm or by its angles.
@@ -58,6 +59,16 @@ struct Curve {
                                                                                               : 4;
         for (std::size_t i = 0; i < count; ++i) control.emplace_back(e.at[i].x, e.at[i].y);
         if (kind == ElementKind::parabola) lay_axes();
+        if (kind == ElementKind::line) {
+            high = std::abs(control[1] - control[0]);
+            axis = (control[1] - control[0]) / high;
+        }
+        for (const double t : {0.0, 1.0, 0.5, 0.3, 0.8, 0.1, 0.9}) samples.push_back(at(t));
+        for (int i = 1; i < 16 && kind == ElementKind::arc; ++i) samples.push_back(at(i / 16.0));
+        for (int i = 0; i <= 48 && kind == ElementKind::cubic; ++i) {
+            trace.push_back(at(i / 48.0));
+            if (i > 0) longest_step = std::max(longest_step, std::abs(trace.back() - trace[trace.size() - 2]));
+        }
     }
 
     Complex at(double t) const {
@@ -65,10 +76,10 @@ struct Curve {
             const double angle = from + (to - from) * t;
             return control[0] + control[1] * std::cos(angle) + control[2] * std::sin(angle);
         }
-        std::vector<Complex> left = control;
-        while (left.size() > 1) {
-            for (std::size_t i = 0; i + 1 < left.size(); ++i) left[i] = left[i] * (1 - t) + left[i + 1] * t;
-            left.pop_back();
+        std::array<Complex, 4> left{};
+        std::copy(control.begin(), control.end(), left.begin());
+        for (std::size_t count = control.size(); count > 1; --count) {
+            for (std::size_t i = 0; i + 1 < count; ++i) left[i] = left[i] * (1 - t) + left[i + 1] * t;
         }
         return left[0];
     }
@@ -79,12 +90,11 @@ struct Curve {
             case ElementKind::point:
                 return std::abs(z - control[0]) <= reach;
             case ElementKind::line: {
-                const Complex way = control[1] - control[0], off = (z - control[0]) / way;
-                const double slack = reach / std::abs(way);
-                return std::fabs(off.imag()) <= slack && off.real() >= -slack && off.real() <= 1 + slack;
+                const Complex off = (z - control[0]) * std::conj(axis);
+                return std::fabs(off.imag()) <= reach && off.real() >= -reach && off.real() <= high + reach;
             }
             case ElementKind::parabola: {
-                const Complex own = (z - vertex) / axis;  // y = x^2 / (4 focal), along +i
+                const Complex own = (z - vertex) * std::conj(axis);  // y = x^2 / (4 focal), along +i
                 const double height = own.real() * own.real() / (4 * focal), slope = own.real() / (2 * focal);
                 const double tilt = std::sqrt(1 + slope * slope);
                 const double slack = reach / tilt;
@@ -103,25 +113,8 @@ struct Curve {
                 while (angle > to + slack) angle -= 2 * std::numbers::pi;
                 return angle >= from - slack;
             }
-            case ElementKind::cubic: {
-                constexpr int steps = 64;
-                for (int i = 0; i <= steps; ++i) {
-                    double width = 1.0 / steps, t = i * width;
-                    if (std::abs(at(t) - z) > 8 * width * std::abs(control[3] - control[0]) + 30 * reach &&
-                        std::abs(at(t) - z) > 0.25 * size()) {
-                        continue;
-                    }
-                    // Ternary search around the sample.
-                    double a = std::max(0.0, t - width), b = std::min(1.0, t + width);
-                    for (int round = 0; round < 60; ++round) {
-                        const double c = a + (b - a) / 3, d = b - (b - a) / 3;
-                        (std::abs(at(c) - z) < std::abs(at(d) - z) ? b : a) =
-                            std::abs(at(c) - z) < std::abs(at(d) - z) ? d : c;
-                    }
-                    if (std::abs(at(0.5 * (a + b)) - z) <= reach) return true;
-                }
-                return false;
-            }
+            case ElementKind::cubic:
+                return is_near_cubic(z, reach);
         }
         return false;
     }
@@ -131,11 +124,45 @@ struct Curve {
         return most;
     }
 
-    // Of a parabola: its vertex, the unit of the x axis at it, the focal length, and the range of x.
+    double extremity() const { return std::max(focal / size(), size() / focal); }
+
+    // Of a parabola: its vertex, the unit of the x axis at it, the focal length, and the range of x. Of a line the unit
+    // along it and its length.
     Complex vertex, axis{1, 0};
     double focal = 1, low = 0, high = 0;
 
+    // Points along the curve; of arcs so many that one that is nearly closed does not pass where another is open.
+    std::vector<Complex> samples;
+
 private:
+    // By the nearest of some points and a search between its neighbours, from every point that may be nearest.
+    bool is_near_cubic(Complex z, double reach) const {
+        constexpr int steps = 48;
+        std::array<double, steps + 1> distance{};
+        for (int i = 0; i <= steps; ++i)
+            distance[static_cast<std::size_t>(i)] = std::abs(trace[static_cast<std::size_t>(i)] - z);
+        for (std::size_t i = 0; i <= steps; ++i) {
+            const bool is_least =
+                (i == 0 || distance[i] <= distance[i - 1]) && (i == steps || distance[i] <= distance[i + 1]);
+            if (!is_least || distance[i] > reach + 2 * longest_step) continue;
+            double a = std::max(0.0, (static_cast<double>(i) - 1) / steps);
+            double b = std::min(1.0, (static_cast<double>(i) + 1) / steps);
+            for (int round = 0; round < 60; ++round) {
+                const double c = a + (b - a) / 3, d = b - (b - a) / 3;
+                if (std::abs(at(c) - z) < std::abs(at(d) - z)) {
+                    b = d;
+                } else {
+                    a = c;
+                }
+            }
+            if (std::abs(at(0.5 * (a + b)) - z) <= reach) return true;
+        }
+        return false;
+    }
+
+    std::vector<Complex> trace;
+    double longest_step = 0;
+
     void lay_axes() {
         const Complex p = at(0), q = at(0.5), r = at(1);
         const Complex second = p - 2.0 * q + r;
@@ -161,17 +188,13 @@ inline Curves curves_of(const Shape& shape) {
 
 // Whether all of the left side, moved, lies on the design, each curve on one.
 inline bool lies_on(const Curves& left, const Map& map, const Curves& design, double reach) {
-    for (const Curve& part : left) {
-        const bool is_carried = std::any_of(design.begin(), design.end(), [&](const Curve& carrier) {
+    return std::all_of(left.begin(), left.end(), [&](const Curve& part) {
+        return std::any_of(design.begin(), design.end(), [&](const Curve& carrier) {
             if (carrier.kind != part.kind || carrier.layer != part.layer || carrier.weight < part.weight) return false;
-            for (const double t : {0.0, 1.0, 0.5, 0.3, 0.8, 0.1, 0.9}) {
-                if (!carrier.holds(map(part.at(t)), reach)) return false;
-            }
-            return true;
+            return std::all_of(part.samples.begin(), part.samples.end(),
+                               [&](Complex z) { return carrier.holds(map(z), reach); });
         });
-        if (!is_carried) return false;
-    }
-    return true;
+    });
 }
 
 // Pairs of points that a similarity carries along: those of a single curve that fix it, in all orders that could be.
@@ -224,21 +247,39 @@ inline std::vector<Complex> points_of(const Curves& curves) {
     return points;
 }
 
+// The two points that are the farthest apart.
+inline std::array<Complex, 2> far_pair(const std::vector<Complex>& points) {
+    std::array<Complex, 2> pair{};
+    for (const Complex& a : points) {
+        for (const Complex& b : points) {
+            if (std::norm(a - b) > std::norm(pair[0] - pair[1])) pair = {a, b};
+        }
+    }
+    return pair;
+}
+
+// Whether a left side lies on designs in finitely many ways, by what this matcher knows.
+inline bool is_fixed(const Curves& left) {
+    if (std::any_of(left.begin(), left.end(), [](const Curve& c) { return !own_pairs(c).empty(); })) return true;
+    const auto [p, q] = far_pair(points_of(left));
+    return std::abs(p - q) > 1e-3;
+}
+
 // All maps of the left side onto the design that are not smaller; those that give the same picture once.
 inline std::vector<Map> all_maps(const Shape& left_shape, const Shape& design_shape, double min_scale, double reach) {
     const Curves left = curves_of(left_shape), design = curves_of(design_shape);
     std::vector<Map> found;
     const auto take = [&](const Map& map) {
-        if (!(std::abs(map.m) >= min_scale) || !lies_on(left, map, design, reach)) return;
+        if (!(std::norm(map.m) >= min_scale * min_scale) || !lies_on(left, map, design, reach)) return;
         for (const Map& other : found) {
             if (lies_on(left, chained(undone(other), map), left, reach / std::abs(other.m))) return;
         }
         found.push_back(map);
     };
-    // By the curve that fixes the transform and is the least shallow.
+    // By the curve that fixes the transform and is neither shallow nor sharp.
     const Curve* pivot = nullptr;
     for (const Curve& c : left) {
-        if (!own_pairs(c).empty() && (pivot == nullptr || c.focal < pivot->focal)) pivot = &c;
+        if (!own_pairs(c).empty() && (pivot == nullptr || c.extremity() < pivot->extremity())) pivot = &c;
     }
     if (pivot != nullptr) {
         const auto [p, q] = own_pairs(*pivot)[0];
@@ -250,20 +291,11 @@ inline std::vector<Map> all_maps(const Shape& left_shape, const Shape& design_sh
         }
         return found;
     }
-    const std::vector<Complex> from = points_of(left), to = points_of(design);
-    Complex p, q;
-    for (const Complex& a : from) {
-        for (const Complex& b : from) {
-            if (std::abs(a - b) > std::abs(p - q)) {
-                p = a;
-                q = b;
-            }
-        }
-    }
-    if (!(std::abs(p - q) > 1e-6)) return found;
+    const auto [p, q] = far_pair(points_of(left));
+    const std::vector<Complex> to = points_of(design);
     for (const Complex& a : to) {
         for (const Complex& b : to) {
-            if (std::abs(a - b) < 1e-9) continue;
+            if (std::norm(a - b) < 1e-18) continue;
             for (const Map& map : maps_between(p, q, a, b)) take(map);
         }
     }

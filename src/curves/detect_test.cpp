@@ -16,7 +16,7 @@ using test_shapes::petal;
 using test_shapes::shape_of;
 
 Matches matches_of(const Shape& left, const Shape& design, const MatchOptions& options = {}) {
-    return find_matches(left, MatchIndex(design), options);
+    return find_matches(left, MatchIndex(design, options.tolerance), options);
 }
 
 TEST(Detect, FindsTheFourPetalsOfAFlowerThatNobodyDrewAsPetals) {

@@ -29,7 +29,7 @@ ElementGrid::ElementGrid(std::span<const Element> elements) {
     std::vector<std::uint32_t> cells, cell_of, counts(std::size_t{columns_} * rows_ + 1, 0);
     std::vector<std::uint32_t> ends(elements.size());
     for (std::size_t i = 0; i < elements.size(); ++i) {
-        find_cells(elements[i], cells);
+        find_cells(elements[i], 0, cells);
         cell_of.insert(cell_of.end(), cells.begin(), cells.end());
         ends[i] = static_cast<std::uint32_t>(cell_of.size());
         for (const std::uint32_t cell : cells) ++counts[cell + 1];
@@ -49,10 +49,10 @@ ElementGrid::ElementGrid(std::span<const Element> elements) {
     }
 }
 
-void ElementGrid::find_cells(const Element& e, std::vector<std::uint32_t>& cells) const {
+void ElementGrid::find_cells(const Element& e, double reach, std::vector<std::uint32_t>& cells) const {
     cells.clear();
     const auto add = [&](const Bounds& box) {
-        const Cell low = cell_at(box.min), high = cell_at(box.max);
+        const Cell low = cell_at(box.min - Vec{reach, reach}), high = cell_at(box.max + Vec{reach, reach});
         for (std::uint32_t column = low.column; column <= high.column; ++column) {
             for (std::uint32_t row = low.row; row <= high.row; ++row) {
                 cells.push_back(static_cast<std::uint32_t>(index_of({column, row})));
@@ -61,7 +61,7 @@ void ElementGrid::find_cells(const Element& e, std::vector<std::uint32_t>& cells
     };
     const Bounds box = bounds_of(e);
     const double span = std::max(box.max.x - box.min.x, box.max.y - box.min.y) * cells_per_px_;
-    if (span <= 2) return add(box);
+    if (span <= 2) return add(box);  // they are in order already
     const Interval on = interval_of(e);
     const double parts = std::ceil(std::min(span, 1e6));
     for (double i = 0; i < parts; ++i) {
@@ -72,9 +72,20 @@ void ElementGrid::find_cells(const Element& e, std::vector<std::uint32_t>& cells
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
 }
 
+std::vector<std::uint32_t> ElementGrid::found_along(const Element& e, double reach) const {
+    std::vector<std::uint32_t> cells, found;
+    find_cells(e, reach, cells);
+    for (const std::uint32_t cell : cells) {
+        for (std::uint32_t n = first_[cell]; n != none; n = nodes_[n].next) found.push_back(nodes_[n].number);
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
 void ElementGrid::insert(std::uint32_t number, const Element& e) {
     std::vector<std::uint32_t> cells;
-    find_cells(e, cells);
+    find_cells(e, 0, cells);
     for (const std::uint32_t cell : cells) {
         std::uint32_t node = static_cast<std::uint32_t>(nodes_.size());
         if (free_.empty()) {
@@ -91,7 +102,7 @@ void ElementGrid::insert(std::uint32_t number, const Element& e) {
 
 void ElementGrid::remove(std::uint32_t number, const Element& e) {
     std::vector<std::uint32_t> cells;
-    find_cells(e, cells);
+    find_cells(e, 0, cells);
     for (const std::uint32_t cell : cells) {
         std::uint32_t* link = &first_[cell];
         while (*link != none && nodes_[*link].number != number) link = &nodes_[*link].next;

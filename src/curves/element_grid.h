@@ -39,6 +39,9 @@ public:
         }
     }
 
+    // All that come within `reach` of an element along x and y, and some that do not; ascending, each once.
+    std::vector<std::uint32_t> found_along(const Element& e, double reach) const;
+
     // Asks the memory for what visit_near(place, ...) will read first.
     void fetch(Vec place) const {
         if (!first_.empty()) __builtin_prefetch(&first_[index_of(cell_at(place))]);
@@ -61,8 +64,8 @@ private:
                 along((place.y - origin_.y) * cells_per_px_, rows_)};
     }
     std::size_t index_of(Cell cell) const { return std::size_t{cell.column} * rows_ + cell.row; }
-    // The cells that an element's pieces overlap, ascending, each once.
-    void find_cells(const Element& e, std::vector<std::uint32_t>& cells) const;
+    // The cells that come within `reach` of the boxes of an element's pieces, ascending, each once.
+    void find_cells(const Element& e, double reach, std::vector<std::uint32_t>& cells) const;
 
     Vec origin_;
     double cells_per_px_ = 1;

@@ -34,6 +34,8 @@ public:
     // The order in which the left elements are asked for; those that are rare in the design should come first.
     void ask_in(std::vector<std::uint32_t> order) { order_ = std::move(order); }
 
+    // By kind, layer and weight.
+    bool may_carry(const Glimpse& carrier, const Element& part) const;
     // Finds the best carriers under laid.by, each within its own reach, px. False where a left element has none; what
     // else stands in `laid` is then void.
     bool lay(Laid& laid, std::span<const double> reach) const;
@@ -49,8 +51,6 @@ public:
     void refine(Laid& laid) const;
 
 private:
-    bool may_carry(const Glimpse& carrier, const Element& part) const;
-
     const Shape& left_;
     const MatchIndex& design_;
     const MatchOptions& options_;

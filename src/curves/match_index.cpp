@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "curves/crossing.h"
+
 namespace filigree::curves {
 namespace {
 
@@ -28,13 +30,35 @@ Vec middle_of(const Element& e) {
 
 }  // namespace
 
-MatchIndex::MatchIndex(const Shape& design)
-    : elements_(design.elements),
+MatchIndex::MatchIndex(const Shape& design, double tolerance)
+    : tolerance_(tolerance),
+      elements_(design.elements),
       glimpses_(elements_.size()),
       frames_(elements_.size()),
       row_(elements_.size(), none),
+      met_(elements_.size()),
       grid_(elements_) {
     for (std::uint32_t slot = 0; slot < elements_.size(); ++slot) enter(slot);
+    for (const std::uint32_t slot : slots_of(ElementKind::line)) meet_others(slot, true);
+}
+
+void MatchIndex::meet_others(std::uint32_t slot, bool below_only) {
+    // What touches in the left side to within the tolerance may be apart by more here, where it is scaled up and both
+    // are carried to within the tolerance.
+    const double reach = 20 * tolerance_;
+    for (const std::uint32_t other : grid_.found_along(elements_[slot], reach)) {
+        if (other == slot || (below_only && other > slot) || elements_[other].kind != ElementKind::line) continue;
+        if (!do_meet(elements_[slot], elements_[other], reach)) continue;
+        met_[slot].push_back(other);
+        met_[other].push_back(slot);
+        ++meetings_;
+    }
+}
+
+void MatchIndex::part_from_others(std::uint32_t slot) {
+    for (const std::uint32_t other : met_[slot]) std::erase(met_[other], slot);
+    meetings_ -= met_[slot].size();
+    met_[slot].clear();
 }
 
 void MatchIndex::enter(std::uint32_t slot) {
@@ -44,6 +68,7 @@ void MatchIndex::enter(std::uint32_t slot) {
         auto& slots = slots_[static_cast<std::size_t>(e.kind)];
         row_[slot] = static_cast<std::uint32_t>(slots.size());
         slots.push_back(slot);
+        if (e.kind == ElementKind::cubic) cubics_.push_back(cubic_frame_of(e));
         return;
     }
     const ParabolaFrame frame = frame_of(e);
@@ -64,6 +89,7 @@ void MatchIndex::leave(std::uint32_t slot) {
         auto& slots = slots_[static_cast<std::size_t>(elements_[slot].kind)];
         if (slots.back() != slot) row_[slots.back()] = row;
         drop_row(slots, row);
+        if (elements_[slot].kind == ElementKind::cubic) drop_row(cubics_, row);
         return;
     }
     if (parabolas_.slots.back() != slot) row_[parabolas_.slots.back()] = row;
@@ -85,6 +111,7 @@ MatchIndex::Change MatchIndex::update(std::span<const Element> removed, std::spa
         });
         if (found == none) continue;
         leave(found);
+        part_from_others(found);
         grid_.remove(found, e);
         free_.push_back(found);
         change.removed.push_back(found);
@@ -96,6 +123,7 @@ MatchIndex::Change MatchIndex::update(std::span<const Element> removed, std::spa
             glimpses_.emplace_back();
             frames_.emplace_back();
             row_.push_back(none);
+            met_.emplace_back();
         } else {
             slot = free_.back();
             free_.pop_back();
@@ -103,6 +131,7 @@ MatchIndex::Change MatchIndex::update(std::span<const Element> removed, std::spa
         elements_[slot] = e;
         enter(slot);
         grid_.insert(slot, e);
+        if (e.kind == ElementKind::line) meet_others(slot, false);
         change.added.push_back(slot);
     }
     if (grid_.insertions() > 64 + 2 * elements_.size()) {

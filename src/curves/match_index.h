@@ -36,7 +36,8 @@ inline Vec point_at(const Glimpse& glimpse, double t) { return glimpse.at + (gli
 class MatchIndex {
 public:
     MatchIndex() = default;
-    explicit MatchIndex(const Shape& design);  // a maximal shape
+    // A maximal shape, and the tolerance with which it will be searched, px.
+    MatchIndex(const Shape& design, double tolerance);
 
     struct Change {
         std::vector<std::uint32_t> removed, added;  // slots; one may have been emptied and filled again
@@ -49,9 +50,15 @@ public:
     bool is_taken(std::uint32_t slot) const { return row_[slot] != none; }
     const Element& element(std::uint32_t slot) const { return elements_[slot]; }
     const Glimpse& glimpse(std::uint32_t slot) const { return glimpses_[slot]; }
-    const ParabolaFrame& frame(std::uint32_t slot) const { return frames_[slot]; }  // of a parabola
+    const ParabolaFrame& frame(std::uint32_t slot) const { return frames_[slot]; }           // of a parabola
+    const CubicFrame& cubic_frame(std::uint32_t slot) const { return cubics_[row_[slot]]; }  // of a cubic
+    // The lines that a line touches or crosses, at some angle; the slots are in no particular order.
+    const std::vector<std::uint32_t>& met_by(std::uint32_t slot) const { return met_[slot]; }
+    // How many pairs of lines meet.
+    std::size_t meetings() const { return meetings_; }
     const ElementGrid& grid() const { return grid_; }
     const ParabolaTable& parabolas() const { return parabolas_; }
+    std::uint32_t row(std::uint32_t slot) const { return row_[slot]; }  // in the table of its kind
     // Ask the memory for what will be read soon.
     void fetch_glimpse(std::uint32_t slot) const { __builtin_prefetch(&glimpses_[slot]); }
     void fetch_frame(std::uint32_t slot) const { __builtin_prefetch(&frames_[slot]); }
@@ -65,6 +72,10 @@ private:
 
     void enter(std::uint32_t slot);  // into the table of its kind
     void leave(std::uint32_t slot);
+    void meet_others(std::uint32_t slot, bool below_only);
+    void part_from_others(std::uint32_t slot);
+
+    double tolerance_ = 0;
 
     std::vector<Element> elements_;
     std::vector<Glimpse> glimpses_;
@@ -73,6 +84,9 @@ private:
     std::vector<std::uint32_t> free_;
     std::array<std::vector<std::uint32_t>, 5> slots_;
     ParabolaTable parabolas_;
+    std::vector<CubicFrame> cubics_;
+    std::vector<std::vector<std::uint32_t>> met_;
+    std::size_t meetings_ = 0;
     ElementGrid grid_;
 };
 

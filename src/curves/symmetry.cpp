@@ -1,0 +1,30 @@
+#include "curves/symmetry.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "curves/search.h"
+
+namespace filigree::curves {
+
+std::vector<Symmetry> symmetries(const Shape& shape, const MatchOptions& options) {
+    MatchOptions own = options;
+    own.group = options.group == MatchGroup::similarity ? MatchGroup::isometry : options.group;
+    own.weights = WeightRule::equal;
+    own.limit = SIZE_MAX;
+    Symmetry identity;
+    identity.images.resize(shape.elements.size());
+    std::iota(identity.images.begin(), identity.images.end(), 0U);
+    const std::vector<Symmetry> one = {identity};
+    const MatchIndex index(shape, options.tolerance);
+    Matches matches = Search(shape, index, own, one).all();
+    std::vector<Symmetry> found;
+    for (Match& match : matches.found) found.push_back({match.by, match.is_reflected, std::move(match.carriers)});
+    if (found.empty()) return one;
+    std::sort(found.begin(), found.end(), [](const Symmetry& a, const Symmetry& b) {
+        return std::pair(a.is_reflected, angle_of(a.by)) < std::pair(b.is_reflected, angle_of(b.by));
+    });
+    return found;
+}
+
+}  // namespace filigree::curves
