@@ -1,0 +1,149 @@
+#include "curves/contacts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace filigree::curves {
+namespace {
+
+constexpr double least_sine = 0.02;
+
+Vec unit_of(Vec v) { return v * (1 / length(v)); }
+
+// An element's interval, longer by about a reach at both ends; a whole ellipse keeps its own.
+Interval reaching(const Element& e, double reach) {
+    Interval on = interval_of(e);
+    if (is_closed(e)) return on;
+    const double width = on.to - on.from;
+    const auto slack = [&](double t) {
+        const double speed = length(velocity_at(e, t));
+        return speed * width > 4 * reach ? reach / speed : 0.25 * width;
+    };
+    const double before = slack(on.from), behind = slack(on.to);
+    return {on.from - before, on.to + behind};
+}
+
+struct Meeting {
+    double s = 0, t = 0;
+};
+
+// Newton's iteration towards where two descriptors meet, from the middles of a piece of each and not far beyond them.
+std::optional<Meeting> meeting_near(const Element& a, Interval on_a, const Element& b, Interval on_b) {
+    const double width_a = on_a.to - on_a.from, width_b = on_b.to - on_b.from;
+    const double middle_a = 0.5 * (on_a.from + on_a.to), middle_b = 0.5 * (on_b.from + on_b.to);
+    Meeting at{middle_a, middle_b};
+    for (int round = 0; round < 12; ++round) {
+        const Vec u = velocity_at(a, at.s), v = velocity_at(b, at.t), off = point_at(b, at.t) - point_at(a, at.s);
+        const double turn = cross(u, v);
+        if (!(std::fabs(turn) > 0.1 * least_sine * length(u) * length(v))) return std::nullopt;
+        const double ds = cross(off, v) / turn, dt = cross(off, u) / turn;
+        at.s += ds;
+        at.t += dt;
+        const auto is_far = [](double t, double middle, double width) { return std::fabs(t - middle) > 1.5 * width; };
+        if (is_far(at.s, middle_a, width_a) || is_far(at.t, middle_b, width_b)) return std::nullopt;
+        if (std::fabs(ds) <= 1e-12 && std::fabs(dt) <= 1e-12) return at;
+    }
+    return std::nullopt;
+}
+
+Bounds box_of(const Element& e, double from, double to, double reach) {
+    Bounds box = bounds_of(piece_of(e, {from, to}));
+    box.min = box.min - Vec{reach, reach};
+    box.max = box.max + Vec{reach, reach};
+    return box;
+}
+
+bool overlap(const Bounds& a, const Bounds& b) {
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
+}
+
+double sine_between(Vec u, Vec v) { return dot(u, v) > 0 ? std::fabs(cross(u, v)) / (length(u) * length(v)) : 1; }
+
+// How far a piece turns away from its direction in the middle, as a sine; 1 where its speed changes much.
+double turn_of(const Element& e, Interval on) {
+    if (e.kind == ElementKind::line) return 0;
+    const Vec u = velocity_at(e, on.from), v = velocity_at(e, 0.5 * (on.from + on.to)), w = velocity_at(e, on.to);
+    const double uu = dot(u, u), vv = dot(v, v), ww = dot(w, w);
+    if (!(uu < 4 * vv && vv < 4 * uu && ww < 4 * vv && vv < 4 * ww)) return 1;
+    return std::max(sine_between(u, v), sine_between(v, w));
+}
+
+std::array<Interval, 2> halves_of(Interval on) {
+    const double middle = 0.5 * (on.from + on.to);
+    return {Interval{on.from, middle}, Interval{middle, on.to}};
+}
+
+// Where pieces of two elements meet; some several times.
+void find_meetings(const Element& a, Interval on_a, const Element& b, Interval on_b, double reach, int depth,
+                   std::vector<Meeting>& meetings) {
+    if (!overlap(box_of(a, on_a.from, on_a.to, reach), box_of(b, on_b.from, on_b.to, reach))) return;
+    const Vec way_a = velocity_at(a, 0.5 * (on_a.from + on_a.to)), way_b = velocity_at(b, 0.5 * (on_b.from + on_b.to));
+    const double between = std::fabs(cross(way_a, way_b)) / (length(way_a) * length(way_b));
+    const double turns = turn_of(a, on_a) + turn_of(b, on_b);
+    if (turns + between < 0.9 * least_sine) return;
+    // Pieces that turn by less than the angle between them meet once at most.
+    if (depth == 0 || between > 1.5 * turns) {
+        if (const auto at = meeting_near(a, on_a, b, on_b)) return meetings.push_back(*at);
+        if (depth == 0 || turns == 0) return;
+    }
+    for (const Interval& part_a : halves_of(on_a)) {
+        for (const Interval& part_b : halves_of(on_b)) {
+            find_meetings(a, part_a, b, part_b, reach, depth - 1, meetings);
+        }
+    }
+}
+
+// Whether a parameter is the element's, or its point is within a reach of an end.
+bool is_reached(const Element& e, double t, double reach) {
+    const Interval on = interval_of(e);
+    if (t >= on.from && t <= on.to) return true;
+    // The arithmetic's own error must not hide what touches exactly at the reach's end.
+    return length(point_at(e, t) - point_at(e, t < on.from ? on.from : on.to)) <= reach * (1 + 1e-9);
+}
+
+}  // namespace
+
+std::vector<Contact> contacts_of(const Element& e, const Element& other, double reach) {
+    std::vector<Contact> contacts;
+    if (e.kind == ElementKind::point || other.kind == ElementKind::point) return contacts;
+    const Bounds box = bounds_of(e), other_box = bounds_of(other);
+    const Vec margin{2 * reach, 2 * reach};
+    if (!overlap({box.min - margin, box.max + margin}, other_box)) return contacts;
+    std::vector<Meeting> meetings;
+    constexpr int most_halvings = 9;
+    find_meetings(e, reaching(e, reach), other, reaching(other, reach), reach, most_halvings, meetings);
+    std::erase_if(meetings,
+                  [&](const Meeting& at) { return !is_reached(e, at.s, reach) || !is_reached(other, at.t, reach); });
+    std::sort(meetings.begin(), meetings.end(),
+              [](const Meeting& a, const Meeting& b) { return std::pair(a.s, a.t) < std::pair(b.s, b.t); });
+    for (const Meeting& at : meetings) {
+        const Vec place = point_at(e, at.s), way = velocity_at(e, at.s), other_way = velocity_at(other, at.t);
+        if (!(std::fabs(cross(way, other_way)) > least_sine * length(way) * length(other_way))) continue;
+        const auto is_same = [&](const Contact& known) {
+            return length(known.at - place) <= 1e-9 * (length(way) + length(other_way));
+        };
+        if (std::any_of(contacts.begin(), contacts.end(), is_same)) continue;
+        contacts.push_back({place, unit_of(way), unit_of(other_way), other.kind});
+    }
+    return contacts;
+}
+
+std::vector<std::uint32_t> numbers_near(const ElementGrid& grid, const Element& e, double reach) {
+    std::vector<std::uint32_t> numbers;
+    const Interval on = interval_of(e);
+    const int parts = e.kind == ElementKind::point ? 1 : 16;
+    const double half = 0.5 * (on.to - on.from) / parts;
+    for (int i = 0; i < parts; ++i) {
+        const Bounds box = box_of(e, on.from + half * (2 * i), on.from + half * (2 * i + 2), reach);
+        const Vec size = box.max - box.min;
+        grid.visit_near((box.min + box.max) * 0.5, 0.5 * std::max(size.x, size.y),
+                        [&](std::uint32_t number) { numbers.push_back(number); });
+    }
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    return numbers;
+}
+
+}  // namespace filigree::curves

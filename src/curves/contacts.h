@@ -1,0 +1,27 @@
+// Where elements touch and cross each other: the points of a shape that stay points of it wherever it is embedded,
+// since what lies on two elements lies on their carriers, too.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "curves/element.h"
+#include "curves/element_grid.h"
+
+namespace filigree::curves {
+
+struct Contact {
+    Vec at;
+    Vec way, other_way;  // unit tangents of the element and of the other one there; their signs mean nothing
+    ElementKind other = ElementKind::line;
+};
+
+// Where the descriptors of two elements cross, at no less than about a degree, within `reach` (px) of both elements. By
+// parameter of the first. Points touch nothing. Where arcs turn back sharply crossings may be missed, and elements that
+// lie on one descriptor have none.
+std::vector<Contact> contacts_of(const Element& e, const Element& other, double reach);
+
+// Numbers of those elements in a grid that come within a reach of an element, and of some that do not; ascending.
+std::vector<std::uint32_t> numbers_near(const ElementGrid& grid, const Element& e, double reach);
+
+}  // namespace filigree::curves
