@@ -28,13 +28,20 @@ public:
     void operator()(const GroupRule& rule) { look_into(rule.arguments); }
     void operator()(const PresetStatement& preset) { look_into(preset.value); }
     void operator()(const ApplyStatement& apply) { look_into(apply.arguments); }
+    void operator()(const ShapeRule& rule) {
+        look_into(rule.left);
+        look_into(rule.right);
+        for (const ExpressionPtr& forbidden : rule.unless) look_into(forbidden);
+    }
+    void operator()(const RulesFromStatement& rules) { add(rules.file.text, rules.file.span); }
     void operator()(const OperatorStatement& macro) { look_into(macro.statements); }
     // array M from "rules.csv", image wall "photo.png" over ..., letter b file("leaf.svg")
     void operator()(const SettingStatement& setting) {
         if (setting.name.text == "letter") {
             for (const ExpressionPtr& value : setting.values) look_into(value);
         }
-        const bool is_map = find_word_setting(setting.name.text)->is_map;
+        const WordSetting* of_words = find_word_setting(setting.name.text);  // null of shapes
+        const bool is_map = of_words != nullptr && of_words->is_map;
         const std::size_t place = is_map ? 1 : 2;
         if ((!is_map && setting.name.text != "array") || setting.values.size() <= place) return;
         const auto* word = std::get_if<NameReference>(&setting.values[place - 1]->node);

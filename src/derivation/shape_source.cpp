@@ -258,10 +258,18 @@ Result<std::shared_ptr<const ShapeOutlines>> ShapeSource::outlines(const Symboli
 }
 
 Result<std::shared_ptr<const SvgPicture>> ShapeSource::picture(const std::string& file) const {
-    return once(pictures_, file, [&]() -> Result<std::shared_ptr<const SvgPicture>> {
+    return read(file, SvgPurpose::areas);
+}
+Result<std::shared_ptr<const SvgPicture>> ShapeSource::drawing(const std::string& file) const {
+    return read(file, SvgPurpose::drawing);
+}
+
+Result<std::shared_ptr<const SvgPicture>> ShapeSource::read(const std::string& file, SvgPurpose purpose) const {
+    auto& memo = purpose == SvgPurpose::areas ? pictures_ : drawings_;
+    return once(memo, file, [&]() -> Result<std::shared_ptr<const SvgPicture>> {
         const Input* input = find_input(inputs_, file);
         if (input == nullptr) return missing(file);
-        Result<SvgPicture> picture = read_svg(input->bytes, SourceSpan::no_file);
+        Result<SvgPicture> picture = read_svg(input->bytes, SourceSpan::no_file, purpose);
         if (!picture) return told_of(std::move(picture).diagnostics(), *input);
         Diagnostics notes = named(picture.diagnostics(), file);
         return {std::make_shared<const SvgPicture>(std::move(*picture)), std::move(notes)};

@@ -49,6 +49,8 @@ public:
     Result<std::shared_ptr<const ShapeOutlines>> outlines(const SymbolicCall& shape) const;
 
     Result<std::shared_ptr<const SvgPicture>> picture(const std::string& file) const;
+    // The same read as a drawing of strokes and labels (SvgPurpose).
+    Result<std::shared_ptr<const SvgPicture>> drawing(const std::string& file) const;
     Result<std::shared_ptr<const GreyImage>> image(const std::string& file) const;
 
     // Differs where any file that could be asked for does.
@@ -59,6 +61,7 @@ private:
     using Memo = std::map<std::string, Result<std::shared_ptr<const T>>>;
 
     Result<Parts> parts_at(const SymbolicCall& shape, double resolution) const;
+    Result<std::shared_ptr<const SvgPicture>> read(const std::string& file, SvgPurpose purpose) const;
     template <class T, class Make>
     Result<std::shared_ptr<const T>> once(Memo<T>& memo, const std::string& key, Make make) const;
 
@@ -68,7 +71,7 @@ private:
     mutable std::mutex mutex_;
     mutable Memo<std::vector<ShapePart>> parts_;
     mutable Memo<ShapeOutlines> outlines_;
-    mutable Memo<SvgPicture> pictures_;
+    mutable Memo<SvgPicture> pictures_, drawings_;
     mutable Memo<GreyImage> images_;
 };
 

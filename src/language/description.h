@@ -40,6 +40,7 @@ struct ParameterDescription {
     // For `form`: the calls that may stand here, such as star(5, 20, 8). Must outlive the description.
     const std::vector<OperatorDescription>* forms = nullptr;
     bool takes_points = false;  // for `form`
+    bool repeats = false;       // of a form: takes all further values without a name too, as a list
 };
 
 // Whether that is the parameter's name or an alias of it.

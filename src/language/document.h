@@ -167,10 +167,37 @@ struct WordEditStatement {
     std::vector<CallArgument> arguments;  // of a pair "aaa" -> "b" the key is a text
     SourceSpan call_span;
 };
-// angle 30: what is said of words in one form, a name and values (word_settings.h)
+// angle 30: what is said of words (word_settings.h) or shapes (shape_settings.h) in one form, a name and values
 struct SettingStatement {
     Name name;
     std::vector<ExpressionPtr> values;
+};
+
+// NAME = left -> right [match M] [weight W] [priority P] [unless U ...] [when C] of a shape grammar; or a rule that
+// follows from another, NAME = inverse(OTHER) or mirror(OTHER, angle)
+struct ShapeRule {
+    Name name;
+    ExpressionPtr derivation;  // inverse(OTHER); null of a rule that has sides
+    ExpressionPtr left, right;
+    ExpressionPtr match, weight, priority, condition;  // each null if absent
+    std::vector<ExpressionPtr> unless;
+};
+// rules from "rules.svg"
+struct RulesFromStatement {
+    Name file;
+};
+// apply [STATE =] NAME at (x, y) [angle A] [scale S] [mirrored] [orbit]: a match chosen by where it lies
+struct MatchStatement {
+    std::optional<Name> name;  // of the state behind it
+    Name rule;
+    ExpressionPtr at;
+    ExpressionPtr angle, scale;  // each null if absent
+    bool is_mirrored = false, is_orbit = false;
+};
+
+// back to STATE: the derivation goes on from there; `start` is the initial shape
+struct BackStatement {
+    Name name;
 };
 
 // A place in a derivation, or several: big_poly/outline/in/regular_split/quads[3]/outline.distance~2. Tags and rules
@@ -241,7 +268,8 @@ struct Statement {
                  IncludeStatement, ParamStatement, LetStatement, PageStatement, LimitStatement, SymmetryStatement,
                  PaletteStatement, StartStatement, StyleStatement, GroupRule, PresetStatement, KeepStatement,
                  RerollStatement, ApplyStatement, SystemStatement, OperatorStatement, WordRule, MacroStatement,
-                 CellStatement, SettingStatement, RestStatement, WordEditStatement>
+                 CellStatement, SettingStatement, RestStatement, WordEditStatement, ShapeRule, RulesFromStatement,
+                 MatchStatement, BackStatement>
         node;
 };
 

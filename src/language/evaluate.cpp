@@ -12,21 +12,6 @@ namespace filigree {
 
 using Maybe = std::optional<Value>;
 
-namespace {
-
-// Whether an argument of a form is a whole number.
-bool is_whole(const OperatorDescription& form, const CallArgument& argument, std::size_t positional) {
-    if (!argument.key) {
-        return positional < form.parameters.size() && form.parameters[positional].type == ParameterType::whole;
-    }
-    const std::string& name = std::get<NameReference>(argument.key->node).name;
-    return std::any_of(form.parameters.begin(), form.parameters.end(), [&](const ParameterDescription& parameter) {
-        return parameter.type == ParameterType::whole && has_name(parameter, name);
-    });
-}
-
-}  // namespace
-
 std::optional<Value> Evaluator::value(const Expression& expression, Place place) {
     if (depth_ >= max_evaluation_depth) {
         return fail("language.too-deep", "this expression is nested too deeply", expression.span);
@@ -44,10 +29,21 @@ Maybe Evaluator::quantity(const Expression& expression, const Quantity& quantity
     return Value{quantity, is_bare(quantity) ? origin : expression.span};
 }
 
-// A value from elsewhere: found at this expression, but a bare length keeps its unit.
+// A value from elsewhere: found at this expression, but a bare length keeps its unit. How much of shapes is taken over
+// is bounded, for a name may hold another one twice.
 Maybe Evaluator::here(const Expression& expression, const Value& value) {
     if (const Quantity* known = std::get_if<Quantity>(&value.data)) {
         return quantity(expression, *known, origin(expression, {value.span}));
+    }
+    if (at_.shapes) {
+        const ValueSize size = size_of(value);
+        shape_parts_ += size.parts;
+        if (size.depth > max_evaluation_depth) {
+            return fail("language.too-deep", "this shape is nested too deeply", expression.span);
+        }
+        if (shape_parts_ > max_shape_parts) {
+            return fail("language.large-shape", "this shape has more than 100000 parts", expression.span);
+        }
     }
     return Value{value.data, expression.span};
 }
@@ -238,7 +234,13 @@ Maybe Evaluator::symbolic(const Expression& expression, const CallExpression& ca
     std::size_t positional = 0;
     bool complete = true;
     for (const CallArgument& argument : call.arguments) {
-        argument_place.whole = form != nullptr && is_whole(*form, argument, positional);
+        if (place.shapes) {
+            argument_place = shape_argument_place(place, call.name, argument, positional);
+        } else {
+            const ParameterDescription* parameter =
+                form == nullptr ? nullptr : parameter_of(*form, argument, positional);
+            argument_place.whole = parameter != nullptr && parameter->type == ParameterType::whole;
+        }
         if (!argument.key) ++positional;
         Maybe found = part(argument.value, argument_place, expression);
         complete = complete && found;

@@ -66,11 +66,14 @@ struct Evaluation {
     bool words_in_calls = false;  // whether such calls take bare words as arguments in any case
     // Describes such calls, so that ranges are whole where their parameters are; null: nothing is known of them.
     const std::vector<OperatorDescription>* forms = nullptr;
+    // Shapes, transforms and operations over them may stand here; the calls and words are those of shape_forms.h.
+    bool shapes = false;
     bool whole = false;                     // ranges are drawn as whole numbers, both ends included
     const ChoiceMaking* choices = nullptr;  // null: drawn at random and not recorded
 };
 
-constexpr int max_evaluation_depth = 500;
+constexpr int max_evaluation_depth = 500;           // of expressions, and of shapes that an expression takes over
+constexpr std::size_t max_shape_parts = 100'000;  // that one expression takes over from names
 
 Result<Value> evaluate(const Expression& expression, const Evaluation& at);
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "language/evaluator.h"
+#include "language/shape_forms.h"
 
 namespace filigree {
 
@@ -13,15 +14,17 @@ Maybe Evaluator::node(const Expression& expression, const UnaryExpression& unary
         if (!flag) return std::nullopt;
         return Value{!*flag, expression.span};
     }
-    Place operand = operand_place(place);
-    operand.whole = place.whole;
-    Maybe found = part(unary.operand, operand, expression);
+    Maybe found = part(unary.operand, operand_place(place, BinaryOperator::subtract), expression);
     if (!found) return std::nullopt;
     if (const Vec* point = std::get_if<Vec>(&found->data)) return Value{-*point, expression.span};
     if (const Quantity* known = std::get_if<Quantity>(&found->data)) {
         Quantity negative = *known;
         negative.value = 0 - negative.value;  // no minus zero
         return quantity(expression, negative, origin(expression, {found->span}));
+    }
+    if (at_.shapes && shape_kind(*found)) {
+        return fail("language.wrong-kind", "a shape cannot be negated", expression.span,
+                    {"a shape is taken from another one by 'a - b'"});
     }
     return fail("language.wrong-kind", "cannot negate " + std::string(kind_of(*found)), expression.span);
 }
@@ -67,8 +70,11 @@ Maybe Evaluator::binary(const Expression& expression, const BinaryExpression& no
         if (!right) return std::nullopt;
         return Value{*right, expression.span};
     }
-    const Maybe right = part(node.right, operand, expression);
+    Maybe right = part(node.right, operand, expression);
     if (!left || !right) return std::nullopt;
+    if (at_.shapes && (shape_kind(*left) || shape_kind(*right))) {
+        return shape_operation(expression, node.op, std::move(*left), std::move(*right));
+    }
     switch (node.op) {
         case BinaryOperator::add:
         case BinaryOperator::subtract:
@@ -84,9 +90,6 @@ Maybe Evaluator::binary(const Expression& expression, const BinaryExpression& no
     }
 }
 
-namespace {
-
-// "cannot add an angle to a length"
 std::string cannot(BinaryOperator op, std::string_view left, std::string_view right) {
     const std::string a(left), b(right);
     switch (op) {
@@ -98,12 +101,12 @@ std::string cannot(BinaryOperator op, std::string_view left, std::string_view ri
             return "cannot multiply " + a + " by " + b;
         case BinaryOperator::divide:
             return "cannot divide " + a + " by " + b;
+        case BinaryOperator::meet:
+            return "cannot intersect " + a + " with " + b;
         default:
             return "cannot compare " + a + " with " + b;
     }
 }
-
-}  // namespace
 
 Maybe Evaluator::arithmetic(const Expression& expression, BinaryOperator op, const Value& left, const Value& right) {
     const Quantity* a = std::get_if<Quantity>(&left.data);

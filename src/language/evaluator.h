@@ -1,6 +1,7 @@
 // The evaluator behind evaluate.h: one object evaluates one expression once.
 //
-// Its parts: evaluate.cpp (values, names, conditions, calls), evaluate_operators.cpp, evaluate_choices.cpp.
+// Its parts: evaluate.cpp (values, names, conditions, calls), evaluate_operators.cpp, evaluate_shapes.cpp,
+// evaluate_choices.cpp.
 #pragma once
 
 #include <cstdint>
@@ -25,6 +26,9 @@ struct Number {
     SourceSpan origin;  // says the unit of a bare length
 };
 
+// "cannot add an angle to a length"
+std::string cannot(BinaryOperator op, std::string_view left, std::string_view right);
+
 class Evaluator {
 public:
     explicit Evaluator(const Evaluation& at) : at_(at) {}
@@ -38,6 +42,7 @@ private:
     const Evaluation& at_;
     std::uint32_t choices_ = 0;  // met so far, taken or not
     int depth_ = 0;
+    std::size_t shape_parts_ = 0;  // taken over from names
 
     std::nullopt_t fail(std::string_view code, std::string message, SourceSpan span,
                         std::vector<std::string> hints = {}) {
@@ -94,6 +99,7 @@ private:
     Maybe binary(const Expression& expression, const BinaryExpression& node, Maybe left, Place place);
     Maybe arithmetic(const Expression& expression, BinaryOperator op, const Value& left, const Value& right);
     Maybe point_arithmetic(const Expression& expression, BinaryOperator op, const Value& left, const Value& right);
+    Maybe shape_operation(const Expression& expression, BinaryOperator op, Value left, Value right);
     Maybe comparison(const Expression& expression, BinaryOperator op, const Value& left, const Value& right);
 
     struct Ends {

@@ -46,8 +46,17 @@ private:
         Result<Value> result = converted(parameter, value, document_, span_);
         if (!result) return fail(result.diagnostics().front());
         if (auto outside = out_of_range(parameter, *result, span_)) return fail(std::move(*outside));
-        values_[i] = std::move(*result);
+        if (!parameter.repeats) {
+            values_[i] = std::move(*result);
+        } else {
+            if (!values_[i]) values_[i] = Value{ValueList{}, {}};
+            std::get<ValueList>(values_[i]->data).items.push_back(std::move(*result));
+        }
         return true;
+    }
+    // All values of a parameter that repeats, in one list.
+    bool take_list(std::size_t i, const ValueList& list) {
+        return std::all_of(list.items.begin(), list.items.end(), [&](const Value& item) { return take(i, item); });
     }
 
     bool take_named(const NamedValue& argument) {
@@ -55,6 +64,8 @@ private:
         for (std::size_t i = 0; i < form_.parameters.size(); ++i) {
             known.push_back(form_.parameters[i].name);
             if (!has_name(form_.parameters[i], argument.name)) continue;
+            const auto* list = std::get_if<ValueList>(&argument.value.data);
+            if (!values_[i] && list != nullptr && form_.parameters[i].repeats) return take_list(i, *list);
             if (!values_[i]) return take(i, argument.value);
             return fail(
                 error("language.doubled-argument", quoted(argument.name) + " is given twice", argument.name_span));
@@ -67,9 +78,10 @@ private:
     bool take_positional(const Value& value, std::size_t& next) {
         std::optional<Diagnostic> first_problem;
         for (std::size_t i = next; i < form_.parameters.size(); ++i) {
-            if (values_[i]) continue;
+            const bool repeats = form_.parameters[i].repeats;
+            if (values_[i] && !repeats) continue;
             if (take(i, value)) {
-                next = i + 1;
+                next = repeats ? i : i + 1;
                 return true;
             }
             if (!first_problem) first_problem = problem_;

@@ -78,7 +78,7 @@ bool is_word(const Evaluation& at, std::string_view name, Place place) {
 bool any_call_allowed(const Evaluation& at) { return contains(at.calls, "*"); }
 bool bare_words_in_calls(const Evaluation& at) { return at.words_in_calls || any_call_allowed(at); }
 
-Place top_place(const Evaluation& at) { return {true, contains(at.words, "*"), at.whole, at.by_shape}; }
+Place top_place(const Evaluation& at) { return {true, contains(at.words, "*"), at.whole, at.by_shape, at.shapes}; }
 
 CallMeaning meaning_of(const CallExpression& call, const Evaluation& at, Place place) {
     if (is_special_form(call.name)) return CallMeaning::special;
@@ -145,7 +145,7 @@ Diagnostic unknown_name(std::string_view name, SourceSpan span, const Evaluation
     if (place.by_shape) add_names(candidates, at.shape_scope);
     add_names(candidates, at.scope);
     std::vector<std::string> hints = did_you_mean(name, candidates);
-    if (hints.empty() && place.result && !at.words.empty()) {
+    if (hints.empty() && place.result && !at.words.empty() && !at.shapes) {
         hints.push_back("the words that may stand here are " + quoted_alternatives(at.words));
     }
     return error("language.unknown-name", "there is no name " + quoted, span, std::move(hints));

@@ -116,7 +116,7 @@ std::optional<Parser::Block> Parser::read_block(bool has_rules_alone, std::vecto
     const Token open = take();
     blocks_.push_back({.open = open, .has_rules_alone = has_rules_alone});
     const FirstPlaces outer = std::exchange(first_, {});
-    const bool read_words = reads_words_;
+    const Rules rules = rules_;
     bool is_closed = false;
     while (!session_.is_full) {
         skip_statement_ends();
@@ -139,7 +139,7 @@ std::optional<Parser::Block> Parser::read_block(bool has_rules_alone, std::vecto
     Block block = std::move(blocks_.back());
     blocks_.pop_back();
     first_ = outer;
-    reads_words_ = read_words;
+    rules_ = rules;
     return is_closed ? std::optional(std::move(block)) : std::nullopt;
 }
 

@@ -110,7 +110,9 @@ bool Parser::read_times(RerollStatement& reroll) {
 
 // apply [NAME =] operator(arguments) to PATH, PATH [-> tags]
 std::optional<ApplyStatement> Parser::read_apply() {
-    const std::string example = "write it as in 'apply outline(5) to leaf/outline/in -> rim, core'";
+    const std::string example = rules_ == Rules::of_shapes
+                                    ? "write it as in 'apply slide at (3, 3)'"
+                                    : "write it as in 'apply outline(5) to leaf/outline/in -> rim, core'";
     std::optional<OperatorCall> call = read_call(example);
     if (!call) return std::nullopt;
     ApplyStatement apply;

@@ -177,6 +177,18 @@ void Parser::skip_failed_statement(const Token& first) {
     const bool is_next_statement = is_lost && failed_at_.starts_line && failed_at_.begin > first.begin;
     at_ = is_next_statement ? at : behind_line(at, is_lost);
     if (is_continued_) skip_continuation();
+    if (rules_ == Rules::of_shapes) skip_right_side(first.begin);
+}
+
+// A rule goes on behind an arrow at the line's end.
+void Parser::skip_right_side(std::uint32_t begin) {
+    std::string_view skipped = text_.substr(begin, at_ - begin);
+    skipped = skipped.substr(0, skipped.find_last_not_of(" \t\r") + 1);
+    if (!skipped.ends_with("->") && !skipped.ends_with("\xE2\x86\x92")) return;
+    if (!next_line_is_right_side()) return;
+    skip_line_ends();
+    at_ = behind_line(peek().begin, false);
+    has_ahead_ = false;
 }
 
 std::uint32_t Parser::behind_line(std::uint32_t at, bool is_lost) {

@@ -155,7 +155,7 @@ std::optional<RestStatement> Parser::read_rest() {
         fail_expected("language.missing-condition", "'until' and a condition", {example});
         return std::nullopt;
     }
-    if (!read_clauses({{clause, rest.condition}})) return std::nullopt;
+    if (!read_clauses({{clause, &rest.condition}})) return std::nullopt;
     return rest;
 }
 
@@ -315,7 +315,7 @@ std::optional<WordRule> Parser::read_word_rule(Name symbols) {
     }
     skip_line_ends();
     if (!read_word_successors(rule)) return std::nullopt;
-    if (!read_clauses({{"loop", rule.loop}, {"when", rule.condition}})) return std::nullopt;
+    if (!read_clauses({{"loop", &rule.loop}, {"when", &rule.condition}})) return std::nullopt;
     if (at(TokenKind::open_curly) && !read_assignments(rule)) return std::nullopt;
     return rule;
 }

@@ -35,7 +35,7 @@ std::optional<GroupRule> Parser::read_rule() {
     std::optional<Name> tag = read_tag("behind ':'");
     if (!tag) return std::nullopt;
     rule.tag = std::move(*tag);
-    if (!read_clauses({{"when", rule.condition}, {"weight", rule.weight}})) return std::nullopt;
+    if (!read_clauses({{"when", &rule.condition}, {"weight", &rule.weight}})) return std::nullopt;
     if (at_statement_end()) return rule;
     if (!at(TokenKind::arrow)) {
         fail_behind_tag("language.missing-arrow", "'->' and tags", true);
@@ -77,20 +77,31 @@ std::optional<OperatorCall> Parser::read_call(std::string_view example, bool tak
     return call;
 }
 
-// Each clause once, in any order.
+// In any order; each once, but for those that take several values.
 bool Parser::read_clauses(std::initializer_list<Clause> clauses) {
     while (true) {
         const auto found =
             std::find_if(clauses.begin(), clauses.end(), [this](const Clause& clause) { return at_word(clause.word); });
         if (found == clauses.end()) return true;
         const Token word = take();
-        if (found->value) {
-            fail(word, error("language.repeated-clause", "found a second " + in_quotes(bytes_of(word)) + " in one rule",
-                             span_of(word)));
+        const auto* value = std::get_if<ExpressionPtr*>(&found->into);
+        const auto* flag = std::get_if<bool*>(&found->into);
+        if ((value != nullptr && **value) || (flag != nullptr && **flag)) {
+            fail(word, error("language.repeated-clause",
+                             "found a second " + in_quotes(bytes_of(word)) + " in one statement", span_of(word)));
             return false;
         }
-        found->value = read_expression();
-        if (!found->value) return false;
+        if (flag != nullptr) {
+            **flag = true;
+            continue;
+        }
+        ExpressionPtr read = read_expression();
+        if (!read) return false;
+        if (value != nullptr) {
+            **value = std::move(read);
+        } else {
+            std::get<std::vector<ExpressionPtr>*>(found->into)->push_back(std::move(read));
+        }
     }
 }
 

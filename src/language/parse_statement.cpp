@@ -5,6 +5,7 @@
 
 #include "language/parser.h"
 #include "language/quantity.h"
+#include "language/shape_settings.h"
 #include "language/token_text.h"
 #include "language/word_settings.h"
 
@@ -47,12 +48,16 @@ std::optional<Statement> Parser::read_statement() {
 
     const Token first = peek();
     Statement statement;
-    if (reads_words_ && is_word_statement(first)) {
+    const bool has_keyword = first.kind == TokenKind::name && is_keyword(bytes_of(first));
+    if (rules_ == Rules::of_words && is_word_statement(first)) {
         if (std::optional<Statement> words = read_word_statement()) statement = std::move(*words);
         if (!has_failed_) expect_statement_end();
     } else if (first.kind != TokenKind::name) {
         fail_first_token(first);
-    } else if (const bool has_keyword = is_keyword(bytes_of(first)); !reads_words_ && is_rule(first, has_keyword)) {
+    } else if (rules_ == Rules::of_shapes && is_shape_statement(first, has_keyword)) {
+        if (std::optional<Statement> shapes = read_shape_statement(has_keyword)) statement = std::move(*shapes);
+        if (!has_failed_) expect_statement_end();
+    } else if (rules_ == Rules::of_groups && is_rule(first, has_keyword)) {
         if (std::optional<GroupRule> rule = read_rule()) statement.node = std::move(*rule);
     } else if (has_keyword) {
         if (may_stand_here(first)) read_by_keyword(take(), statement);
@@ -84,7 +89,9 @@ void Parser::read_by_keyword(const Token& keyword, Statement& statement) {
         if (is_only_one(first_.version, keyword)) put(read_version());
     } else if (word == "grammar") {
         named("the kind of grammar", "", [&](Name name) {
-            reads_words_ = name.text == "rewriting";
+            rules_ = name.text == "rewriting" ? Rules::of_words
+                     : name.text == "shape"   ? Rules::of_shapes
+                                              : Rules::of_groups;
             statement.node = GrammarStatement{std::move(name)};
         });
     } else if (word == "seed") {
@@ -152,7 +159,9 @@ void Parser::fail_first_token(const Token& first) {
                   {"a comment is written '# ...', with a blank behind the '#'"});
     } else if (first.kind == TokenKind::arrow) {
         report_at("language.unexpected-token", "expected a statement, found " + found,
-                  {"a rule stays on one line; only inside brackets may it go on in the next"});
+                  {rules_ == Rules::of_shapes
+                       ? "the left side of a rule and its arrow stand on one line; behind the arrow it may go on"
+                       : "a rule stays on one line; only inside brackets may it go on in the next"});
     } else if (first.kind == TokenKind::slash) {
         report_at("language.unexpected-token", "expected a statement, found " + found,
                   {"a comment is written '# ...'"});
@@ -167,18 +176,23 @@ void Parser::fail_first_token(const Token& first) {
 void Parser::fail_unknown_statement(const Token& first) {
     const std::string_view word = bytes_of(first);
     std::vector<std::string_view> known(keywords.begin(), keywords.end());
-    if (reads_words_) {
+    if (rules_ == Rules::of_words) {
         for (const WordSetting& setting : word_settings()) known.push_back(setting.name);
         known.insert(known.end(), {"once", "each"});
+    } else if (rules_ == Rules::of_shapes) {
+        for (const ShapeSetting& setting : shape_settings()) known.push_back(setting.name);
+        known.insert(known.end(), {"rules", "back"});
     }
     std::vector<std::string> hints = did_you_mean(word, known);
-    if (reads_words_ && token_behind(first).kind == TokenKind::open_round) {
+    if (rules_ == Rules::of_words && token_behind(first).kind == TokenKind::open_round) {
         hints = {"an edit of the word stands behind 'once', 'after 3' or 'each iteration'"};
     }
     if (hints.empty()) {
         std::string list;
         for (const std::string_view keyword : keywords) list += (list.empty() ? "" : ", ") + std::string(keyword);
-        hints = {"the statements are " + list, "a rule is written 'operator(arguments) : tag -> tags'"};
+        const bool of_shapes = rules_ == Rules::of_shapes;
+        hints = {"the statements are " + list, of_shapes ? "a rule is written 'name = left side -> right side'"
+                                                         : "a rule is written 'operator(arguments) : tag -> tags'"};
     }
     fail(first, error("language.unknown-statement", "there is no statement " + in_quotes(word), span_of(first), hints));
 }

@@ -12,6 +12,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "language/document.h"
@@ -92,6 +93,7 @@ private:
     void skip_failed_statement(const Token& first);
     std::uint32_t behind_line(std::uint32_t at, bool is_lost);
     void skip_continuation();
+    void skip_right_side(std::uint32_t begin);
     std::optional<std::uint32_t> behind_brackets(std::uint32_t from, std::size_t depth);
     std::optional<std::uint32_t> end_of_block(std::uint32_t open);
     std::optional<std::uint32_t> behind_block(std::uint32_t open);
@@ -156,7 +158,8 @@ private:
     std::optional<OperatorCall> read_call(std::string_view example = "", bool takes_pairs = false);
     struct Clause {
         std::string_view word;
-        ExpressionPtr& value;  // null until it is read
+        // A value, null until it is read; several; or a word alone.
+        std::variant<ExpressionPtr*, std::vector<ExpressionPtr>*, bool*> into;
     };
     bool read_clauses(std::initializer_list<Clause> clauses);
     bool read_outputs(std::vector<OutputTag>& outputs, bool is_rule);
@@ -195,6 +198,24 @@ private:
     bool is_word_edit(const Token& first) const;
     std::optional<WordEditStatement> read_word_edit();
     std::optional<OperatorCall> read_edit_call();
+
+    // --- rules of shapes and matches chosen by hand (parse_shape.cpp)
+    bool is_shape_statement(const Token& first, bool is_keyword) const;
+    bool is_shape_rule(const Token& first, bool is_reserved) const;
+    bool is_match(const Token& apply) const;
+    bool is_way_back(const Token& first) const;
+    bool has_arrow_behind(const Token& token) const;  // on its line, in its statement
+    std::optional<Statement> read_shape_statement(bool is_keyword);
+    std::optional<ShapeRule> read_shape_rule();
+    bool read_right_side(ShapeRule& rule);
+    bool next_line_is_right_side();
+    void fail_without_arrow(const ShapeRule& rule);
+    std::optional<RulesFromStatement> read_rules_from();
+    std::optional<SettingStatement> read_shape_setting();
+    std::optional<MatchStatement> read_match();
+    std::optional<BackStatement> read_back();
+    // Each clause once, but for those that hold several, up to the end of the statement.
+    bool read_all_clauses(std::initializer_list<Clause> clauses, std::string_view owner);
 
     // --- expressions (parse_expression.cpp)
     ExpressionPtr read_expression();   // the whole of `expr`
@@ -246,8 +267,9 @@ private:
     };
     std::vector<BlockEnd> block_ends_;
     bool has_block_ends_ = false;
-    FirstPlaces first_;         // in the innermost block
-    bool reads_words_ = false;  // below `grammar rewriting`
+    FirstPlaces first_;  // in the innermost block
+    enum class Rules { of_groups, of_words, of_shapes };
+    Rules rules_ = Rules::of_groups;  // by the `grammar` above
 };
 
 }  // namespace filigree

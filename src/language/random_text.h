@@ -41,6 +41,17 @@ public:
         return result;
     }
 
+    // One of a shape grammar.
+    RandomDocument shape_document() {
+        RandomDocument result;
+        end_ = chance(3) ? "\r\n" : "\n";
+        if (chance(3)) add(result, "seed" + gap() + std::to_string(bits() >> below(64)));
+        add(result, "grammar" + gap() + "shape");
+        for (std::uint32_t count = below(12); count > 0; --count) shape_statement(result);
+        if (chance(3)) result.text += " # the end";
+        return result;
+    }
+
     // A path; of a group alone where it has no parameter.
     std::string path(bool may_have_parameter) {
         std::string result = chance(6) ? pick({"**", "*"}) : path_name();
@@ -294,6 +305,74 @@ private:
                 return add(into, macro());
             default:
                 return add(into, rule());
+        }
+    }
+
+    std::string rule_name() { return pick({"slide", "back", "when", "weight", "at", "p\x65\xCC\x81tale", "x3", "_"}); }
+    std::string arrow() { return blank() + pick({"->", "\xE2\x86\x92"}) + blank(); }
+    // In a random order, each with some chance.
+    std::string clauses(std::vector<std::string> all) {
+        std::string result;
+        while (!all.empty()) {
+            const std::uint32_t which = below(static_cast<std::uint32_t>(all.size()));
+            if (chance(3)) result += gap() + all[which];
+            all.erase(all.begin() + which);
+        }
+        return result;
+    }
+    std::string shape(int depth) {
+        if (depth <= 0)
+            return pick({"petal", "empty", "circle(5)", "path(\"M 0 0 H 1\")", "point((0, 0), \"a\")", "many(2)"});
+        switch (below(5)) {
+            case 0:
+                return "(" + room() + shape(depth - 1) + gap() + pick({"+", "-", "&"}) + room() + shape(depth - 1) +
+                       ")";
+            case 1:
+                return pick({"translate(1, 2)", "rotate(90)", "scale(2, (3, 3))", "mirror(45)"}) + blank() + "*" +
+                       blank() + shape(depth - 1);
+            case 2:
+                return shape(depth - 1) + gap() + pick({"+", "-", "&"}) + gap() + shape(depth - 1);
+            case 3:
+                return "(" + expression(depth) + ")";
+            default:
+                return shape(0);
+        }
+    }
+    std::string shape_rule() {
+        const std::string end = chance(4) ? pick({" # goes on", ""}) + end_ + blank() : "";
+        std::string result = rule_name() + blank() + "=" + blank() + shape(2) + arrow() + end + shape(2);
+        return result +
+               clauses({"match" + gap() + pick({"isometry", "affine", "visual(0.5)"}), "weight" + gap() + expression(1),
+                        "priority" + gap() + expression(1), "unless" + gap() + shape(1),
+                        "unless" + gap() + "box(0, 0, 3, 3)", "when" + gap() + expression(1)});
+    }
+    void shape_statement(RandomDocument& into) {
+        switch (below(10)) {
+            case 0:
+                return add(into, "start" + gap() + tag() + blank() + "=" + blank() + shape(3));
+            case 1:
+                return add(into, "let" + gap() + name() + blank() + "=" + blank() + shape(3));
+            case 2:
+                return add(into, rule_name() + blank() + "=" + blank() +
+                                     pick({"inverse(slide)", "mirror( slide, 45 )", "mirror(slide,\n angle: gap)"}));
+            case 3:
+                return add(into, "rules" + gap() + "from" + blank() + text());
+            case 4:
+            case 5:
+                return add(into, "apply" + gap() + rule_name() +
+                                     clauses({"angle" + gap() + expression(1), "mirrored"}) + gap() + "at" + gap() +
+                                     expression(1) +
+                                     clauses({"scale" + gap() + expression(1), "orbit"}));
+            case 6:
+                return add(into, pick({"steps", "tolerance", "match", "choose"}) + gap() + expression(1));
+            case 7:
+                return add(into, "show" + gap() + pick({"points", "matches(slide)"}) + blank() +
+                                     (chance(2) ? "," + blank() + "film(columns: 4)" : ""));
+            case 8:
+                return add(into,
+                           pick({"match = petal -> lens", "start=petal->empty", "rules = empty \xE2\x86\x92 petal"}));
+            default:
+                return add(into, shape_rule());
         }
     }
     void add(RandomDocument& into, const std::string& statement) {

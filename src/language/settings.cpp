@@ -12,6 +12,7 @@
 #include "language/names.h"
 #include "language/page_sizes.h"
 #include "language/param_domain.h"
+#include "language/shape_forms.h"
 #include "language/walk.h"
 
 namespace filigree {
@@ -48,6 +49,7 @@ private:
     std::map<std::string, SourceSpan, std::less<>> defined_;  // where each name is defined first
     std::set<std::string, std::less<>> failed_;               // defined, but without a value: reported already
     std::map<std::string, SourceSpan, std::less<>> said_;     // statements that may stand once
+    bool lets_hold_shapes_ = false;                           // below `grammar shape`
 
     void report(Diagnostic diagnostic) { diagnostics_.push_back(std::move(diagnostic)); }
 
@@ -64,6 +66,9 @@ private:
     void find_seed_and_definitions() {
         for (const Statement& statement : document_.statements) {
             if (const auto* seed = std::get_if<SeedStatement>(&statement.node)) settings_.seed = seed->seed;
+            if (const auto* grammar = std::get_if<GrammarStatement>(&statement.node)) {
+                lets_hold_shapes_ = lets_hold_shapes_ || grammar->engine.text == "shape";
+            }
             if (const auto* param = std::get_if<ParamStatement>(&statement.node)) define(param->name);
             if (const auto* let = std::get_if<LetStatement>(&statement.node)) define(let->name);
             if (const auto* palette = std::get_if<PaletteStatement>(&statement.node)) define(palette->name);
@@ -95,6 +100,11 @@ private:
         if (!(first == name.span) || !is_new(name)) {
             report(error("language.doubled-name", quoted(name.text) + " is already defined", name.span,
                          {"it is defined on " + line_of(first)}));
+            return false;
+        }
+        if (lets_hold_shapes_ && name.text == "empty") {
+            report(error("language.reserved-name", "'empty' is the shape that has nothing and cannot be a name",
+                         name.span));
             return false;
         }
         const auto hides = [&name](std::span<const std::string_view> names) {
@@ -216,6 +226,11 @@ private:
     void read(const Statement&, const SettingStatement&) {}
     void read(const Statement&, const RestStatement&) {}
     void read(const Statement&, const WordEditStatement&) {}
+    // Read by the engine of shapes.
+    void read(const Statement&, const ShapeRule&) {}
+    void read(const Statement&, const RulesFromStatement&) {}
+    void read(const Statement&, const MatchStatement&) {}
+    void read(const Statement&, const BackStatement&) {}
     void read(const Statement&, const ApplyStatement& apply) { settings_.applies.push_back(&apply); }
     void read(const Statement&, const OperatorStatement& macro) { settings_.operators.push_back(&macro); }
     void read(const Statement&, const SystemStatement& system) { settings_.systems.push_back(&system); }
@@ -249,7 +264,8 @@ private:
 
     void read(const Statement&, const LetStatement& let) {
         if (!is_first_definition(let.name)) return;
-        set_value(let.name, defined_value(let.name, *let.value, of_definition(let.name)));
+        const Evaluation at = of_definition(let.name);
+        set_value(let.name, defined_value(let.name, *let.value, lets_hold_shapes_ ? with_shapes(at) : at));
     }
 
     void read(const Statement&, const PaletteStatement& palette) {

@@ -232,6 +232,23 @@ struct StatementUnparser {
         }
         return result;
     }
+    std::string operator()(const ShapeRule& node) const {
+        std::string result = node.name.text + " = ";
+        if (node.derivation) return result + unparse(node.derivation);
+        result += unparse(node.left) + " -> " + unparse(node.right) + with("match", node.match) +
+                  with("weight", node.weight) + with("priority", node.priority);
+        for (const ExpressionPtr& forbidden : node.unless) result += with("unless", forbidden);
+        return result + with("when", node.condition);
+    }
+    std::string operator()(const RulesFromStatement& node) const {
+        return "rules from " + unparse_text(node.file.text);
+    }
+    std::string operator()(const MatchStatement& node) const {
+        return "apply " + (node.name ? node.name->text + " = " : "") + node.rule.text + with("at", node.at) +
+               with("angle", node.angle) + with("scale", node.scale) + (node.is_mirrored ? " mirrored" : "") +
+               (node.is_orbit ? " orbit" : "");
+    }
+    std::string operator()(const BackStatement& node) const { return "back to " + node.name.text; }
 
 private:
     static std::string iterations(std::uint32_t first, std::uint32_t last) {

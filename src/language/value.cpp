@@ -1,5 +1,8 @@
 #include "language/value.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "base/number_text.h"
 #include "language/quantity.h"
 
@@ -9,6 +12,9 @@ bool SymbolicCall::operator==(const SymbolicCall&) const = default;
 bool ValueList::operator==(const ValueList&) const = default;
 
 namespace {
+
+bool is_sum_sign(std::string_view name) { return name == "+" || name == "-"; }
+int tier_of(const SymbolicCall& operation) { return is_sum_sign(operation.name) ? 1 : 2; }
 
 std::string quoted(const std::string& text) {
     std::string out = "\"";
@@ -55,6 +61,7 @@ struct Writer {
         out += ']';
     }
     void write(const SymbolicCall& call) {
+        if (is_operation(call)) return write_operation(call);
         out += call.name + "(";
         for (std::size_t i = 0; i < call.arguments.size(); ++i) {
             if (i > 0) out += ", ";
@@ -62,6 +69,19 @@ struct Writer {
             write(call.arguments[i].value);
         }
         out += ')';
+    }
+    // In brackets what would bind otherwise without.
+    void write_operation(const SymbolicCall& call) {
+        for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+            const Value& operand = call.arguments[i].value;
+            const auto* inner = std::get_if<SymbolicCall>(&operand.data);
+            const int least_tier = i == 0 ? tier_of(call) : tier_of(call) + 1;
+            const bool has_brackets = inner != nullptr && is_operation(*inner) && tier_of(*inner) < least_tier;
+            if (i > 0) out += " " + call.name + " ";
+            if (has_brackets) out += '(';
+            write(operand);
+            if (has_brackets) out += ')';
+        }
     }
 };
 
@@ -73,10 +93,29 @@ struct KindNamer {
     std::string_view operator()(const Symbol&) const { return "a word"; }
     std::string_view operator()(const Vec&) const { return "a point"; }
     std::string_view operator()(const ValueList&) const { return "a list"; }
-    std::string_view operator()(const SymbolicCall&) const { return "a call"; }
+    std::string_view operator()(const SymbolicCall& call) const { return is_operation(call) ? "a shape" : "a call"; }
 };
 
 }  // namespace
+
+bool is_operation(const SymbolicCall& call) { return is_sum_sign(call.name) || call.name == "*" || call.name == "&"; }
+
+ValueSize size_of(const Value& root) {
+    ValueSize size;
+    std::vector<std::pair<const Value*, std::size_t>> open{{&root, 1}};
+    while (!open.empty()) {
+        const auto [value, depth] = open.back();
+        open.pop_back();
+        ++size.parts;
+        size.depth = std::max(size.depth, depth);
+        if (const auto* list = std::get_if<ValueList>(&value->data)) {
+            for (const Value& item : list->items) open.emplace_back(&item, depth + 1);
+        } else if (const auto* call = std::get_if<SymbolicCall>(&value->data)) {
+            for (const NamedValue& argument : call->arguments) open.emplace_back(&argument.value, depth + 1);
+        }
+    }
+    return size;
+}
 
 std::string to_text(const Value& value) {
     Writer writer;

@@ -1,6 +1,7 @@
 // Values: what expressions evaluate to.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -59,6 +60,16 @@ struct NamedValue {
 
     bool operator==(const NamedValue& other) const { return name == other.name && value == other.value; }
 };
+
+// Whether the call is a sum, difference, product or transformed shape (shape_forms.h): named by its sign.
+// It has two operands or more, folded from the left.
+bool is_operation(const SymbolicCall& call);
+
+struct ValueSize {
+    std::size_t parts = 0;  // of lists and calls inside each other, itself included
+    std::size_t depth = 0;
+};
+ValueSize size_of(const Value& value);
 
 // As a document would write it: 25, 30deg, "text", [1, 2], turn(30). Lengths in px without a unit.
 std::string to_text(const Value& value);

@@ -4,6 +4,7 @@
 
 #include "language/evaluate.h"
 #include "language/functions.h"
+#include "language/shape_forms.h"
 
 namespace filigree {
 
@@ -16,11 +17,42 @@ Place operand_place(Place place, BinaryOperator op) {
         case BinaryOperator::subtract:
         case BinaryOperator::multiply:
             operand.whole = place.whole;
+            operand.shapes = place.shapes;
+            break;
+        case BinaryOperator::meet:
+            operand.shapes = place.shapes;
             break;
         default:
             break;
     }
+    operand.result = operand.shapes && place.result;
     return operand;
+}
+
+const ParameterDescription* parameter_of(const OperatorDescription& form, const CallArgument& argument,
+                                         std::size_t positional) {
+    const std::vector<ParameterDescription>& parameters = form.parameters;
+    if (argument.key) {
+        const auto* key = std::get_if<NameReference>(&argument.key->node);
+        const auto named = std::find_if(parameters.begin(), parameters.end(), [key](const auto& parameter) {
+            return key != nullptr && has_name(parameter, key->name);
+        });
+        return named == parameters.end() ? nullptr : &*named;
+    }
+    if (positional < parameters.size()) return &parameters[positional];
+    return !parameters.empty() && parameters.back().repeats ? &parameters.back() : nullptr;
+}
+
+Place shape_argument_place(Place place, std::string_view call, const CallArgument& argument, std::size_t positional) {
+    const OperatorDescription* form = find_shape_form(call);
+    const ParameterDescription* parameter = form == nullptr ? nullptr : parameter_of(*form, argument, positional);
+    Place at = operand_place(place);
+    if (parameter == nullptr) return at;
+    at.whole = parameter->type == ParameterType::whole;
+    at.symbols = parameter->type == ParameterType::colour;
+    at.shapes = parameter->type == ParameterType::any;
+    at.result = at.symbols || at.shapes;
+    return at;
 }
 
 namespace {
@@ -46,9 +78,8 @@ struct PartLister {
         for (const ExpressionPtr& coordinate : point.coordinates) add(coordinate, operand_place(place));
     }
     void operator()(const UnaryExpression& unary) {
-        Place operand = operand_place(place);
-        operand.whole = place.whole && unary.op == UnaryOperator::negate;
-        add(unary.operand, operand);
+        add(unary.operand,
+            unary.op == UnaryOperator::negate ? operand_place(place, BinaryOperator::subtract) : operand_place(place));
     }
     void operator()(const BinaryExpression& binary) {
         add(binary.left, operand_place(place, binary.op));
@@ -80,6 +111,14 @@ struct PartLister {
             for (const CallArgument& argument : call.arguments) {
                 add(argument.key ? argument.key : argument.value, place);
                 if (argument.key) add(argument.value, operand_place(place));
+            }
+            return;
+        }
+        if (place.shapes && place.result && find_shape_form(call.name) != nullptr) {
+            std::size_t positional = 0;
+            for (const CallArgument& argument : call.arguments) {
+                add(argument.value, shape_argument_place(place, call.name, argument, positional));
+                if (!argument.key) ++positional;
             }
             return;
         }

@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "language/description.h"
 #include "language/expression.h"
 
 namespace filigree {
@@ -15,7 +17,15 @@ struct Place {
     bool symbols = false;   // any bare word may stand (arguments of a start's call)
     bool whole = false;     // ranges are whole
     bool by_shape = false;  // inside each(...)
+    bool shapes = false;    // shapes and operations over them may stand here
 };
+
+// The parameter that an argument of a form goes to, as far as its name or place says; `positional` counts those without
+// a name before it. Null where there is none.
+const ParameterDescription* parameter_of(const OperatorDescription& form, const CallArgument& argument,
+                                         std::size_t positional);
+// The place of an argument of a call that is a shape, a transform or a region, by what its parameter takes.
+Place shape_argument_place(Place place, std::string_view call, const CallArgument& argument, std::size_t positional);
 
 // The place of an operand, condition, weight or function argument: a number of its own, not the result.
 Place operand_place(Place place);

@@ -6,37 +6,32 @@
 #include <set>
 
 #include "language/parse.h"
+#include "language/settings.h"
+#include "language/shape_rules.h"
 
 namespace filigree {
 namespace {
 
 // Every code that parsing may give.
-constexpr std::array<std::string_view, 49> parse_codes = {
-    "language.bad-colour",        "language.bad-escape",
-    "language.bad-ordinal",       "language.bad-page",
-    "language.bad-path",          "language.bad-point",
-    "language.bad-seed",          "language.bad-tag",
-    "language.bad-target",        "language.bad-times",
-    "language.bad-unit",          "language.comment-blank",
-    "language.include-cycle",     "language.include-depth",
-    "language.include-in-system", "language.lone-equals",
-    "language.long-chain",        "language.long-name",
-    "language.missing-arguments", "language.missing-arrow",
-    "language.missing-brace",     "language.missing-colon",
-    "language.missing-equals",    "language.missing-name",
-    "language.missing-operator",  "language.missing-path",
-    "language.missing-tag",       "language.missing-text",
-    "language.missing-to",        "language.missing-value",
-    "language.nesting",           "language.no-include",
-    "language.no-such-sign",      "language.not-a-rule",
-    "language.not-utf8",          "language.number-too-large",
-    "language.repeated-clause",   "language.repeated-statement",
-    "language.stray-character",   "language.too-large",
-    "language.too-many-errors",   "language.trailing-comma",
-    "language.unclosed-bracket",  "language.unexpected-token",
-    "language.unknown-statement", "language.unknown-unit",
-    "language.unknown-version",   "language.unmatched-bracket",
-    "language.unterminated-text",
+constexpr std::array<std::string_view, 53> parse_codes = {
+    "language.bad-colour",        "language.bad-escape",        "language.bad-ordinal",
+    "language.bad-page",          "language.bad-path",          "language.bad-point",
+    "language.bad-seed",          "language.bad-tag",           "language.bad-target",
+    "language.bad-times",         "language.bad-unit",          "language.comment-blank",
+    "language.include-cycle",     "language.include-depth",     "language.include-in-system",
+    "language.lone-equals",       "language.long-chain",        "language.long-name",
+    "language.missing-arguments", "language.missing-arrow",     "language.missing-brace",
+    "language.missing-colon",     "language.missing-equals",    "language.missing-from",
+    "language.missing-name",      "language.missing-place",     "language.missing-side",
+    "language.unknown-clause",    "language.missing-operator",  "language.missing-path",
+    "language.missing-tag",       "language.missing-text",      "language.missing-to",
+    "language.missing-value",     "language.nesting",           "language.no-include",
+    "language.no-such-sign",      "language.not-a-rule",        "language.not-utf8",
+    "language.number-too-large",  "language.repeated-clause",   "language.repeated-statement",
+    "language.stray-character",   "language.too-large",         "language.too-many-errors",
+    "language.trailing-comma",    "language.unclosed-bracket",  "language.unexpected-token",
+    "language.unknown-statement", "language.unknown-unit",      "language.unknown-version",
+    "language.unmatched-bracket", "language.unterminated-text",
 };
 // Those that need more than a short document: parse_test.cpp has them.
 const std::set<std::string_view> tested_elsewhere = {
@@ -69,6 +64,23 @@ TEST(WrongDocuments, ParsingSaysWhatIsExpected) {
         EXPECT_EQ(parsed.document.text(), wrong.text);
     }
     EXPECT_GE(checked, 100);
+}
+
+// What is wrong with names and kinds of a shape grammar that parses.
+TEST(WrongDocuments, ReadingRulesOfShapesSaysWhatIsExpected) {
+    int checked = 0;
+    for (const WrongDocument& wrong : all_cases()) {
+        const Parsed parsed = parse_document("case.fil", wrong.text, nullptr);
+        if (!wrong.text.starts_with("grammar shape\n") || !parsed.diagnostics.empty()) continue;
+        const Result<Settings> settings = read_settings(parsed.document);
+        Diagnostics found = settings.diagnostics();
+        if (settings) append(found, read_shape_rules(parsed.document, settings->globals).diagnostics());
+        std::sort(found.begin(), found.end(),
+                  [](const Diagnostic& one, const Diagnostic& other) { return one.span.begin < other.span.begin; });
+        EXPECT_EQ(difference(wrong, found, parsed.document.sources), "");
+        ++checked;
+    }
+    EXPECT_GE(checked, 9);
 }
 
 TEST(WrongDocuments, EveryCaseHasANameOfItsOwnAndExpectsSomething) {

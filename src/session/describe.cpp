@@ -47,6 +47,7 @@ std::string range_text(const ParameterDescription& parameter) {
 // What a parameter takes: its type, words, range and default, in one line.
 std::string takes_text(const ParameterDescription& parameter) {
     std::string text(type_name(parameter.type));
+    if (parameter.repeats) text += ", or several";
     if (!parameter.words.empty())
         text += (parameter.type == ParameterType::word ? ": " : ", ") + joined(parameter.words, ", ");
     for (const std::string_view call : parameter.calls) text += ", " + std::string(call) + "(...)";
