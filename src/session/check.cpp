@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "engines/rewriting/read_grammar.h"
+#include "engines/shape/read_grammar.h"
 #include "language/style.h"
 #include "session/engines.h"
 #include "session/list_choices.h"
@@ -19,7 +20,7 @@ Diagnostic unknown_engine(const Settings& settings) {
     std::vector<std::string_view> names;
     for (const EngineInfo& engine : engines()) names.push_back(engine.name);
     std::vector<std::string> hints = did_you_mean(settings.engine, names);
-    if (hints.empty()) hints.push_back("known are tangle and rewriting");
+    if (hints.empty()) hints.push_back("known are tangle, rewriting and shape");
     return error("document.unknown-grammar", "there is no kind of grammar '" + settings.engine + "'",
                  settings.engine_span, hints);
 }
@@ -103,6 +104,14 @@ public:
             take(read_styles(*checked.settings, opened.document).diagnostics());
             take(check_presets(opened, checked));
             take(not_for_words(opened.document));
+            return checked;
+        }
+        if (settings && settings->engine == "shape") {
+            checked.settings = std::move(*settings);
+            checked.shapes = std::make_shared<const ShapeSource>(opened.inputs, checked.settings->resolution);
+            if (!opened.has_failed) take(read_design(opened, checked));
+            take(read_styles(*checked.settings, opened.document).diagnostics());
+            if (checked.design) take(check_presets(opened, checked));
             return checked;
         }
         for (const EmbeddedDocument& inner : opened.embedded) checked.embedded.push_back(check_embedded(inner));
@@ -206,6 +215,12 @@ Diagnostics read_words(const OpenedDocument& opened, CheckedDocument& checked) {
     append(problems, draw_rules.diagnostics());
     if (draw_rules) checked.draw_rules = std::move(*draw_rules);
     return problems;
+}
+
+Diagnostics read_design(const OpenedDocument& opened, CheckedDocument& checked) {
+    Result<shape::Grammar> design = shape::read_grammar(*checked.settings, opened.document, *checked.shapes);
+    if (design) checked.design = std::move(*design);
+    return design.diagnostics();
 }
 
 std::vector<std::string> start_tags(const OpenedDocument& opened, const Settings& settings, const PlaneStart* start) {

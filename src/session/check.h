@@ -8,6 +8,7 @@
 #include "derivation/plane_start.h"
 #include "engines/rewriting/draw_rules.h"
 #include "engines/rewriting/grammar.h"
+#include "engines/shape/grammar.h"
 #include "engines/tangle/grammar.h"
 #include "engines/tangle/graph.h"
 #include "language/settings.h"
@@ -21,6 +22,7 @@ struct CheckedDocument {
     std::optional<PlaneStart> start;                 // likewise
     std::optional<rewriting::Grammar> words;         // of a rewriting document, which has neither grammar nor start
     std::optional<rewriting::DrawRules> draw_rules;  // likewise
+    std::optional<shape::Grammar> design;            // of a shape document, which has neither grammar nor start
     std::shared_ptr<const ShapeSource> shapes;       // what its forms mean; null where the settings could not be read
     std::vector<const GroupRule*> rules;             // as they stand in the document
     tangle::RuleGraph graph;
@@ -41,6 +43,9 @@ std::vector<std::string> start_tags(const OpenedDocument& opened, const Settings
 
 // What words are made by: fills in `words` and `draw_rules` of a document whose settings are there.
 Diagnostics read_words(const OpenedDocument& opened, CheckedDocument& checked);
+
+// What designs are made by, likewise: fills in `design`.
+Diagnostics read_design(const OpenedDocument& opened, CheckedDocument& checked);
 
 // What the document's `embed` may name.
 EmbeddableDocuments embeddable(const OpenedDocument& opened);

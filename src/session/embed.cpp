@@ -64,7 +64,9 @@ public:
         Result<std::shared_ptr<const CheckedDocument>> checked = read(document, request);
         if (!checked) return failed(std::move(checked).diagnostics());
         Result<std::shared_ptr<const Embedded>> embedded =
-            (*checked)->words ? embedded_word(document, *checked, request) : embedded_tangle(*which, *checked, request);
+            (*checked)->words    ? embedded_word(document, *checked, request)
+            : (*checked)->design ? embedded_design(document, *checked, request)
+                                 : embedded_tangle(*which, *checked, request);
         if (!embedded) return failed(std::move(embedded).diagnostics());
         return embedded;
     }
@@ -126,19 +128,39 @@ private:
         run->checked = std::move(checked);
         run->root = request.site.root;
         run->word = std::move(drawn->run);
+        return contained(std::move(run), drawn->drawing, request);
+    }
+
+    // Likewise a design.
+    Result<std::shared_ptr<const Embedded>> embedded_design(const EmbeddedDocument& document,
+                                                            std::shared_ptr<const CheckedDocument> checked,
+                                                            const EmbedRequest& request) {
+        Result<DrawnDesign> drawn = draw_design(*document.opened, *checked, {{}, request.site}, {job_.cancel_flag, {}});
+        if (!drawn) return std::move(drawn).diagnostics();
+        auto run = std::make_shared<EmbeddedDesign>();
+        run->opened = document.opened;
+        run->checked = std::move(checked);
+        run->root = request.site.root;
+        run->design = std::move(drawn->run);
+        return contained(std::move(run), drawn->drawing, request);
+    }
+
+    // A drawing that fits into the shape's box; what reaches beyond the shape is cut off.
+    static std::shared_ptr<const Embedded> contained(std::shared_ptr<EmbeddedPart> run, const Drawing& drawing,
+                                                     const EmbedRequest& request) {
         auto embedded = std::make_shared<Embedded>();
-        embedded->elements = drawn->drawing.shapes.size();
-        run->to_host = canvas_onto(drawn->drawing.canvas, request.host, "contain");
+        embedded->elements = drawing.shapes.size();
+        run->to_host = canvas_onto(drawing.canvas, request.host, "contain");
         Polygons clip;
         clip.add(request.host);
         Placement placement;
         placement.clip = &clip;
         placement.transform = run->to_host;
         placement.pen_scale = std::sqrt(std::abs(determinant(run->to_host)));
-        place_drawing(embedded->drawing, drawn->drawing, placement);
+        place_drawing(embedded->drawing, drawing, placement);
         embedded->memory_bytes = memory_of(embedded->drawing);
         embedded->run = std::move(run);
-        return std::shared_ptr<const Embedded>(std::move(embedded));
+        return embedded;
     }
 
     // The whole picture, laid over the shape's box as in host(fit: ...).
@@ -181,6 +203,9 @@ private:
         checked->shapes = std::make_shared<const ShapeSource>(document.opened->inputs, checked->settings->resolution);
         if (checked->settings->engine == "rewriting") {
             Diagnostics problems = read_words(*document.opened, *checked);
+            if (has_errors(problems)) return problems;
+        } else if (checked->settings->engine == "shape") {
+            Diagnostics problems = read_design(*document.opened, *checked);
             if (has_errors(problems)) return problems;
         } else {
             Result<tangle::Grammar> grammar =
@@ -268,6 +293,9 @@ const EmbeddedTangle* tangle_in(const Embedded& embedded) {
     return dynamic_cast<const EmbeddedTangle*>(embedded.run.get());
 }
 const EmbeddedWord* word_in(const Embedded& embedded) { return dynamic_cast<const EmbeddedWord*>(embedded.run.get()); }
+const EmbeddedDesign* design_in(const Embedded& embedded) {
+    return dynamic_cast<const EmbeddedDesign*>(embedded.run.get());
+}
 
 void for_each_embedded(const tangle::Tangle& tangle, const std::function<void(const EmbeddedTangle& inner)>& visit) {
     for (const tangle::Step& step : tangle.steps) {

@@ -27,10 +27,14 @@ struct EmbeddedTangle : EmbeddedPart {
 struct EmbeddedWord : EmbeddedPart {
     WordRun word;
 };
+struct EmbeddedDesign : EmbeddedPart {
+    DesignRun design;
+};
 
 // Null where another kind of document was embedded.
 const EmbeddedTangle* tangle_in(const Embedded& embedded);
 const EmbeddedWord* word_in(const Embedded& embedded);
+const EmbeddedDesign* design_in(const Embedded& embedded);
 
 // Calls `visit` for every tangle that grows in a shape of this one, and in those, in the order of the steps.
 void for_each_embedded(const tangle::Tangle& tangle, const std::function<void(const EmbeddedTangle& inner)>& visit);

@@ -1,7 +1,9 @@
 #include "session/engines.h"
 
 #include "engines/rewriting/edit_operators.h"
+#include "engines/shape/match_words.h"
 #include "engines/tangle/operators/operators.h"
+#include "language/shape_forms.h"
 
 namespace filigree {
 
@@ -13,7 +15,11 @@ std::span<const EngineInfo> engines() {
         for (const rewriting::EditOperator& op : rewriting::edit_operators()) {
             rewriting.operators.push_back(&op.description);
         }
-        return std::vector<EngineInfo>{tangle, rewriting};
+        EngineInfo shape{"shape", "shape grammars of curves: rules apply wherever their left side can be seen", {}, "Forms"};
+        for (const auto* forms : {&drawn_shapes(), &shape_transforms(), &shape_regions(), &rule_derivations(), &shape::match_words()}) {
+            for (const OperatorDescription& form : *forms) shape.operators.push_back(&form);
+        }
+        return std::vector<EngineInfo>{tangle, rewriting, shape};
     }();
     return all;
 }

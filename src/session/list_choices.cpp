@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
+#include "engines/shape/paths.h"
 #include "engines/tangle/paths.h"
 #include "language/style.h"
 #include "session/embed.h"
@@ -238,8 +239,33 @@ void append_row(std::string& out, const ListedChoice& choice, DomainTexts& domai
 
 }  // namespace
 
+namespace {
+
+// Of a design: those of its definitions, then of its steps, `rule` and `match` at the step and the others below it.
+void list_design(const shape::Derivation& derivation, const shape::Grammar& grammar, const Visit& visit) {
+    const Choices& choices = derivation.choices;
+    const auto hand_over = [&](std::string path, std::size_t row) {
+        visit({std::move(path), choices.name_table[choices.names[row]], &choices, row});
+    };
+    for (std::size_t row = 0; row < derivation.end_definition_choice; ++row) {
+        hand_over(path_of_definition(choices, row), row);
+    }
+    for (std::uint32_t s = 1; s <= derivation.steps.size(); ++s) {
+        const shape::Step& step = derivation.steps[s - 1];
+        const std::string below = shape::path_of_state(derivation, grammar, s);
+        for (std::size_t row = step.first_choice; row < step.end_choice; ++row) {
+            const std::string& name = choices.name_table[choices.names[row]];
+            const bool is_of_step = name == "rule" || name == "match";
+            hand_over(is_of_step ? below.substr(0, below.find('/')) : below, row);
+        }
+    }
+}
+
+}  // namespace
+
 void for_each_choice(const OpenedDocument& opened, const CheckedDocument& checked, const Run& run,
                      const std::function<void(const ListedChoice& choice)>& visit) {
+    if (run.design) return list_design(run.design->derivation, *checked.design, visit);
     if (!run.word) return ChoiceLister(run.tangle, *checked.grammar, "", visit).list(run.picture, opened);
     const Choices& choices = run.word->choices;
     for (std::size_t row = 0; row < choices.size(); ++row) {

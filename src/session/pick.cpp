@@ -6,6 +6,7 @@
 #include "engines/tangle/paths.h"
 #include "session/embed.h"
 #include "session/list_steps.h"
+#include "session/pick_design.h"
 #include "session/pick_symbol.h"
 
 namespace filigree {
@@ -97,6 +98,10 @@ std::optional<Picked> pick_inside(const Embedded& embedded, const std::string& p
     if (const EmbeddedTangle* inner = tangle_in(embedded)) {
         return pick_in({*inner->opened, *inner->checked, inner->tangle, prefix}, apply(inverse(inner->to_host), at));
     }
+    if (const EmbeddedDesign* inner = design_in(embedded)) {
+        return pick_element(*inner->opened, *inner->checked, inner->design, inner->root, prefix,
+                            apply(inverse(inner->to_host), at));
+    }
     const EmbeddedWord& inner = *word_in(embedded);
     return pick_symbol(*inner.opened, *inner.checked, inner.word, {inner.root, prefix},
                        apply(inverse(inner.to_host), at));
@@ -167,6 +172,7 @@ std::optional<Picked> pick_in_copies(const Layer& motif, const Symmetry& symmetr
 
 std::optional<Picked> pick(const OpenedDocument& opened, const CheckedDocument& checked, const Run& run, Vec at) {
     if (run.word) return pick_symbol(opened, checked, *run.word, {}, at);
+    if (run.design) return pick_element(opened, checked, *run.design, {}, {}, at);
     const Layer whole{opened, checked, run.tangle, ""};
     if (checked.start->symmetry) return pick_in_copies(whole, *checked.start->symmetry, at);
     return pick_in(whole, at);

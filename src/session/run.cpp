@@ -2,6 +2,7 @@
 
 #include "derivation/symmetric_drawing.h"
 #include "engines/rewriting/verify.h"
+#include "engines/shape/verify.h"
 #include "engines/tangle/derive.h"
 #include "engines/tangle/verify.h"
 #include "session/embed.h"
@@ -37,12 +38,23 @@ std::vector<UnmatchedPreset> unmatched_presets(const OpenedDocument& opened, con
     const PresetWalk walk = begin_walk({}, opened.document, checked.settings->globals, checked.settings->seed);
     std::vector<UnmatchedPreset> unmatched;
     for (std::size_t i = 0; i < walk.presets.all.size(); ++i) {
-        const bool met = run.tangle.met[i] != 0 || (i < run.picture.met.size() && run.picture.met[i] != 0);
+        const std::vector<std::uint8_t>& derived = run.design ? run.design->derivation.met : run.tangle.met;
+        const bool met = derived[i] != 0 || (i < run.picture.met.size() && run.picture.met[i] != 0);
         if (met) continue;
         const Preset& preset = walk.presets.all[i];
         unmatched.push_back({std::string(keyword_of(preset.kind)), to_text(*preset.path), preset.path->span});
     }
     return unmatched;
+}
+
+void warn_of_unmatched(const OpenedDocument& opened, const CheckedDocument& checked, Run& run) {
+    run.unmatched = unmatched_presets(opened, checked, run);
+    for (const UnmatchedPreset& preset : run.unmatched) {
+        run.diagnostics.push_back(warning(
+            "preset.unmatched",
+            "'" + preset.path + "' is nowhere in this derivation, so the '" + preset.statement + "' does nothing now",
+            preset.span));
+    }
 }
 
 }  // namespace
@@ -91,11 +103,41 @@ Result<Run> run_word(const OpenedDocument& opened, const CheckedDocument& checke
     return run;
 }
 
+Result<Run> run_design(const OpenedDocument& opened, const CheckedDocument& checked, const RunOptions& options,
+                       const Job& job) {
+    const double begin = now_seconds();
+    const DesignOptions wanted{options.steps, top_site(checked, options)};
+    Run run;
+    if (!options.draws) {
+        Result<shape::Derivation> derivation = derive_design(opened, checked, wanted, job);
+        if (!derivation) return derivation.diagnostics();
+        run.diagnostics = derivation.diagnostics();
+        run.times.derive = now_seconds() - begin;
+        run.design = DesignRun{std::move(*derivation), 1, {}};
+    } else {
+        Result<DrawnDesign> drawn = draw_design(opened, checked, wanted, job);
+        if (!drawn) return drawn.diagnostics();
+        run.diagnostics = drawn.diagnostics();
+        run.times.derive = drawn->derived - begin;
+        run.times.draw = now_seconds() - drawn->derived;
+        run.drawing = std::move(drawn->drawing);
+        run.design = std::move(drawn->run);
+    }
+    warn_of_unmatched(opened, checked, run);
+    if (options.verify) {
+        report(job, "verify", -1);
+        run.broken = shape::broken_invariants(run.design->derivation, *checked.design);
+        run.verified = true;
+    }
+    return run;
+}
+
 }  // namespace
 
 Result<Run> run_document(const OpenedDocument& opened, const CheckedDocument& checked, const RunOptions& options,
                          Executor& executor, const Job& job) {
     if (checked.words) return run_word(opened, checked, options, executor, job);
+    if (checked.design) return run_design(opened, checked, options, job);
     Run run;
     const Settings& settings = *checked.settings;
     const double begin = now_seconds();
@@ -120,13 +162,7 @@ Result<Run> run_document(const OpenedDocument& opened, const CheckedDocument& ch
     }
     run.times.draw = now_seconds() - derived;
 
-    run.unmatched = unmatched_presets(opened, checked, run);
-    for (const UnmatchedPreset& preset : run.unmatched) {
-        run.diagnostics.push_back(warning(
-            "preset.unmatched",
-            "'" + preset.path + "' is nowhere in this derivation, so the '" + preset.statement + "' does nothing now",
-            preset.span));
-    }
+    warn_of_unmatched(opened, checked, run);
     if (options.verify) {
         report(job, "verify", -1);
         run.broken = tangle::broken_invariants(run.tangle);

@@ -12,6 +12,7 @@
 #include "engines/tangle/draw.h"
 #include "engines/tangle/tangle.h"
 #include "scene/drawing.h"
+#include "session/derive_design.h"
 #include "session/derive_word.h"
 
 namespace filigree {
@@ -20,7 +21,7 @@ struct RunOptions {
     std::optional<std::uint64_t> steps;  // a prefix of the derivation
     tangle::ColourBy colour_by = tangle::ColourBy::style;
     bool verify = false;
-    bool draws = true;  // else words are only derived
+    bool draws = true;  // else words and designs are only derived
     const tangle::Tangle* previous = nullptr;  // of an earlier state of the document: what still holds is taken over
     const Replay* replay = nullptr;            // choices to be taken instead of drawing; null: the document's own
 };
@@ -37,9 +38,10 @@ struct UnmatchedPreset {
 };
 
 struct Run {
-    tangle::Tangle tangle;        // without groups where there is a word
-    tangle::Picture picture;      // without its drawing
-    std::optional<WordRun> word;  // of a rewriting document
+    tangle::Tangle tangle;            // without groups where there is a word or a design
+    tangle::Picture picture;          // without its drawing
+    std::optional<WordRun> word;      // of a rewriting document
+    std::optional<DesignRun> design;  // of a shape document
     Drawing drawing;
     Diagnostics diagnostics;  // warnings
     std::vector<UnmatchedPreset> unmatched;

@@ -78,10 +78,32 @@ std::string word_stats_json(const OpenedDocument& opened, const CheckedDocument&
     return dumped(json);
 }
 
+std::string design_stats_json(const OpenedDocument& opened, const CheckedDocument& checked, const Run& run) {
+    const shape::Derivation& derivation = run.design->derivation;
+    Json json;
+    json["document"] = opened.name;
+    json["engine"] = checked.settings->engine;
+    json["seed"] = checked.settings->seed;
+    json["steps"] = derivation.steps.size();
+    json["elements"] = derivation.design.elements.size();
+    json["rules"] = checked.design->rules.size();
+    json["seconds"] = seconds_of(run.times);
+    json["peak_memory_bytes"] = peak_memory_bytes();
+    json["verified"] = verified(run);
+    json["unmatched"] = Json::array();
+    for (const UnmatchedPreset& preset : run.unmatched) json["unmatched"].push_back(preset.path);
+    json["choices"] = derivation.choices.size();
+    json["shape"] = {{"tolerance", checked.design->tolerance},
+                     {"ambiguous", derivation.ambiguities.found.size()},
+                     {"finished", derivation.is_finished}};
+    return dumped(json);
+}
+
 }  // namespace
 
 std::string stats_json(const OpenedDocument& opened, const CheckedDocument& checked, const Run& run) {
     if (run.word) return word_stats_json(opened, checked, run);
+    if (run.design) return design_stats_json(opened, checked, run);
     std::uint64_t elements = 0, marks = 0, groups = 0;
     std::uint32_t depth = 0;
     for (const tangle::Group& group : run.tangle.groups) {
@@ -124,6 +146,16 @@ std::string stats_json(const OpenedDocument& opened, const CheckedDocument& chec
 }
 
 std::string check_text(const CheckedDocument& checked, const Document& document) {
+    if (checked.design) {
+        std::string text = "rules " + std::to_string(checked.design->rules.size()) + ", tolerance " +
+                           to_text(checked.design->tolerance) + " px\n";
+        for (const shape::Rule& rule : checked.design->rules) {
+            text += "  line " + std::to_string(line_of(document, rule.span)) + "  " + rule.name + "  " +
+                    std::to_string(rule.left.elements.size()) + " -> " + std::to_string(rule.right.elements.size()) +
+                    " elements\n";
+        }
+        return text;
+    }
     if (checked.words) return "rules " + std::to_string(rule_count(*checked.words)) + "\n";
     std::string text = "rules " + std::to_string(checked.rules.size()) + ", edges " +
                        std::to_string(checked.graph.edges) + ", longest path " +

@@ -91,6 +91,44 @@ struct WordEditCommand {
 };
 int run_word_edit(const WordEditCommand& command);
 
+// match: where the rules of a shape grammar apply
+struct MatchCommand {
+    std::filesystem::path document;
+    OpenOptions open;
+    std::string rule;                    // empty: all
+    std::optional<std::uint64_t> steps;  // in which state of the derivation
+    std::string at;                      // to explain: where a match was expected; empty: anywhere
+    bool explain = false;
+    bool json = false;
+    std::filesystem::path output;  // a drawing of the matches; empty: none
+    double dpi = 192;
+};
+int run_match(const MatchCommand& command);
+
+// step: one match of a shape rule, chosen by its number, as an `apply` of the document
+struct StepCommand {
+    std::filesystem::path document;
+    OpenOptions open;
+    std::string rule;
+    std::uint64_t match = 1;
+    bool orbit = false;
+    std::filesystem::path output;  // empty: standard output
+};
+int run_step(const StepCommand& command);
+
+// designs: all that a shape grammar makes in so many steps
+struct DesignsCommand {
+    std::filesystem::path document;
+    OpenOptions open;
+    std::uint32_t depth = 2;
+    std::uint64_t most = 1000;
+    std::string up_to = "nothing";
+    bool json = false;
+    std::filesystem::path output;  // a sheet; empty: none
+    double dpi = 192;
+};
+int run_designs(const DesignsCommand& command);
+
 struct VariationsCommand {
     std::filesystem::path document;
     OpenOptions open;

@@ -6,6 +6,7 @@
 #include "base/number_text.h"
 #include "session/describe.h"
 #include "session/explain_word.h"
+#include "session/list_design.h"
 #include "session/list_steps.h"
 #include "session/list_word.h"
 #include "session/run.h"
@@ -65,6 +66,14 @@ int run_derive(const DeriveCommand& command) {
         const Result<rewriting::Derivation> word = derive_word(*opened, checked, {command.steps, {}}, *executor, job);
         const int status = print_diagnostics(word.diagnostics(), sources);
         if (word) std::cout << (command.json ? word_json(*opened, checked, *word) : word_text(*word));
+        return status;
+    }
+    if (checked.design) {
+        const Result<shape::Derivation> design = derive_design(*opened, checked, {command.steps, {}}, job);
+        const int status = print_diagnostics(design.diagnostics(), sources);
+        if (design) {
+            std::cout << (command.json ? design_json(*opened, checked, *design) : design_text(*opened, checked, *design));
+        }
         return status;
     }
     RunOptions options;

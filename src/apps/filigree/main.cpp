@@ -226,6 +226,58 @@ void add_variations(CLI::App& app, Run& run) {
     });
 }
 
+void add_match(CLI::App& app, Run& run) {
+    struct Options {
+        filigree::MatchCommand command;
+        OpenFlags flags;
+        std::uint64_t steps = 0;
+        CLI::Option* steps_option = nullptr;
+    };
+    const auto options = std::make_shared<Options>();
+    filigree::MatchCommand& match = options->command;
+    CLI::App& command = *app.add_subcommand("match", "where the rules of a shape grammar apply");
+    command.add_option("document", match.document, document_help)->required();
+    command.add_option("--rule", match.rule, "of this rule alone");
+    options->steps_option = command.add_option("--steps", options->steps, "after so many steps; all if left out");
+    command.add_flag("--explain", match.explain, "why the rule does not apply where it is expected to");
+    command.add_option("--at", match.at, "where: X,Y in the document's unit, y downwards");
+    command.add_flag("--json", match.json, "as JSON, with the transforms and the elements that are covered");
+    command.add_option("-o,--output", match.output, "a drawing of the matches (.svg, .pdf, .png)");
+    command.add_option("--dpi", match.dpi, "dots per inch of a PNG")->check(CLI::Range(1.0, 9600.0))->capture_default_str();
+    add_open_flags(command, options->flags);
+    when_chosen<Options>(command, run, options, [](Options& given) -> Run {
+        given.command.open = open_options(given.flags);
+        if (given.steps_option->count() > 0) given.command.steps = given.steps;
+        return [&given] { return filigree::run_match(given.command); };
+    });
+}
+
+void add_designs(CLI::App& app, Run& run) {
+    struct Options {
+        filigree::DesignsCommand command;
+        OpenFlags flags;
+    };
+    const auto options = std::make_shared<Options>();
+    filigree::DesignsCommand& designs = options->command;
+    CLI::App& command = *app.add_subcommand("designs", "all designs that a shape grammar makes in so many steps");
+    command.add_option("document", designs.document, document_help)->required();
+    command.add_option("--depth", designs.depth, "how many steps")->check(CLI::Range(0, 1000))->capture_default_str();
+    command.add_option("--most", designs.most, "stop behind so many designs")
+        ->check(CLI::Range(1, 1'000'000))
+        ->capture_default_str();
+    command.add_option("--up-to", designs.up_to, "which designs are the same: those that differ by nothing, translation, isometry or similarity")
+        ->check(CLI::IsMember({"nothing", "translation", "isometry", "similarity"}))
+        ->capture_default_str();
+    command.add_flag("--json", designs.json, "as JSON");
+    command.add_option("-o,--output", designs.output, "a sheet of all of them (.svg, .pdf, .png)");
+    command.add_option("--dpi", designs.dpi, "dots per inch of a PNG")->check(CLI::Range(1.0, 9600.0))->capture_default_str();
+    add_open_flags(command, options->flags);
+    when_chosen<Options>(command, run, options, [](Options& given) -> Run {
+        given.command.open = open_options(given.flags);
+        return [&given] { return filigree::run_designs(given.command); };
+    });
+}
+
 // --- commands that edit --------------------------------------------------------------------------------------------
 
 struct EditFlags {
@@ -313,6 +365,26 @@ void add_apply(CLI::App& app, Run& run) {
         given.command.edits.push_back(
             {filigree::DocumentEdit::Kind::apply, {}, given.call, given.words, given.tags, 1});
         return edit_run(given);
+    });
+}
+
+void add_step(CLI::App& app, Run& run) {
+    struct Options {
+        filigree::StepCommand command;
+        OpenFlags flags;
+    };
+    const auto options = std::make_shared<Options>();
+    filigree::StepCommand& step = options->command;
+    CLI::App& command = *app.add_subcommand("step", "apply a shape rule at one of its matches: the document with one step more");
+    command.add_option("document", step.document, document_help)->required();
+    command.add_option("--rule", step.rule, "the rule")->required();
+    command.add_option("--match", step.match, "the match's number, as `match` lists them")->required();
+    command.add_flag("--orbit", step.orbit, "at all places that the symmetries of the design take it to");
+    command.add_option("-o,--output", step.output, "where to write the new document; else standard output");
+    add_open_flags(command, options->flags);
+    when_chosen<Options>(command, run, options, [](Options& given) -> Run {
+        given.command.open = open_options(given.flags);
+        return [&given] { return filigree::run_step(given.command); };
     });
 }
 
@@ -453,10 +525,13 @@ int main(int argc, char** argv) {
     add_derive(app, run);
     add_choices(app, run);
     add_pick(app, run);
+    add_match(app, run);
+    add_designs(app, run);
     add_set(app, run);
     add_keep(app, run);
     add_reroll(app, run);
     add_apply(app, run);
+    add_step(app, run);
     add_word_edits(app, run);
     add_variations(app, run);
     app.add_subcommand("list", "list engines, operators, start shapes and functions")->callback([&run] {

@@ -1,0 +1,71 @@
+// Where a rule can be applied to a design, and what it then takes away and puts.
+//
+// The left side matches wherever it can be seen (curves/detect.h). Matches that differ by a symmetry of the left side
+// take the same elements away; where the right side, or a condition, breaks that symmetry, one match has several
+// *variants*. A rule with `match corners` stands for every polygon with as many corners (curves/faces.h).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/job.h"
+#include "base/result.h"
+#include "curves/detect.h"
+#include "derivation/shape_source.h"
+#include "engines/shape/grammar.h"
+#include "language/choices.h"
+#include "language/preset_walk.h"
+#include "language/settings.h"
+
+namespace filigree::shape {
+
+// What an evaluation asks of the document around a grammar.
+struct Surroundings {
+    const Settings& settings;
+    const Document& document;
+    const ShapeSource& files;
+};
+
+struct Application {
+    std::uint32_t rule = 0;
+    std::uint32_t match = 0;    // from 0
+    std::uint32_t variant = 0;  // of the match, from 0
+    curves::Match fit;          // the map, and what of the design the left side covers
+    std::vector<Vec> corners;   // of `match corners`: where those of the left side lie; else empty
+    Vec place;                  // px: where the middle of the left side lies
+    bool is_of_family = false;  // one of infinitely many: a canonical member
+};
+
+struct Applications {
+    std::vector<Application> all;  // by match, then variant
+    std::uint32_t matches = 0;     // how many different ones
+    std::uint64_t near_misses = 0;  // embeddings that fail by less than ten tolerances
+};
+
+// A design as rules see it.
+struct SeenDesign {
+    const curves::Shape& shape;
+    const curves::MatchIndex& index;
+    std::uint32_t steps = 0;  // that lie behind it
+};
+
+Result<Applications> applications_of(const Grammar& grammar, std::uint32_t rule, const SeenDesign& design,
+                                     const Surroundings& around, const Job& job);
+
+// A shape of a rule's plane as an application places it in the design.
+curves::Shape placed(const curves::Shape& shape, const Rule& rule, const Application& at, double tolerance);
+
+// The names that a rule's condition knows besides the document's, with example values.
+Scope example_scope(const Settings& settings);
+
+// The application that is meant by a place: the nearest, and among those at one place the one with the wanted angle,
+// scale and hand. An error that names the nearest where none lies within half the left side's breadth.
+Result<Application> application_at(const Grammar& grammar, const Applications& found, const ApplyAt& wanted,
+                                   const Surroundings& around);
+
+// With all others that the symmetries of the design take it to, itself first.
+std::vector<Application> orbit_of(const Application& application, const Rule& rule, const SeenDesign& design,
+                                  double tolerance);
+
+}  // namespace filigree::shape

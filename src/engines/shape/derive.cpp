@@ -1,0 +1,264 @@
+#include "engines/shape/derive.h"
+
+#include <algorithm>
+
+#include "engines/shape/shape_values.h"
+#include "language/shape_forms.h"
+
+namespace filigree::shape {
+namespace {
+
+using curves::Element;
+using curves::Shape;
+
+// Takes elements out of a design and puts others in; both must fit. The new ones came with `state`.
+void make(Derivation& derivation, const std::vector<Element>& removed, const std::vector<Element>& added,
+          std::uint32_t state) {
+    std::vector<Element> elements;
+    std::vector<std::uint32_t> made_by;
+    elements.reserve(derivation.design.elements.size() + added.size());
+    made_by.reserve(elements.capacity());
+    std::size_t gone = 0, fresh = 0;
+    const auto put_fresh = [&] {
+        elements.push_back(added[fresh++]);
+        made_by.push_back(state);
+    };
+    for (std::size_t i = 0; i < derivation.design.elements.size(); ++i) {
+        const Element& e = derivation.design.elements[i];
+        if (gone < removed.size() && e == removed[gone]) {
+            ++gone;
+            continue;
+        }
+        while (fresh < added.size() && comes_before(added[fresh], e)) put_fresh();
+        elements.push_back(e);
+        made_by.push_back(derivation.made_by[i]);
+    }
+    while (fresh < added.size()) put_fresh();
+    derivation.design.elements = std::move(elements);
+    derivation.made_by = std::move(made_by);
+}
+
+// Runs what a document says, with its presets in hand.
+class Deriver {
+public:
+    Deriver(const Grammar& grammar, const Surroundings& around, const DeriveOptions& options, const Job& job)
+        : grammar_(grammar),
+          around_(around),
+          options_(options),
+          job_(job),
+          walk_(begin_walk(options.site, around.document, around.settings.globals, around.settings.seed)),
+          derivation_(begin(grammar)),
+          index_(derivation_.design, grammar.tolerance) {
+        recorder_.append(around.settings.definitions);
+        derivation_.end_definition_choice = recorder_.choices.size();
+        derivation_.met.resize(walk_.presets.all.size());
+    }
+
+    Result<Derivation> run() {
+        const std::uint64_t by_hand = static_cast<std::uint64_t>(std::count_if(
+            grammar_.by_hand.begin(), grammar_.by_hand.end(),
+            [](const auto& one) { return std::holds_alternative<ApplyAt>(one); }));
+        const std::uint64_t count = options_.steps.value_or(by_hand + grammar_.steps);
+        for (const auto& one : grammar_.by_hand) {
+            if (derivation_.steps.size() >= count) break;
+            std::optional<Diagnostic> problem;
+            if (const auto* apply = std::get_if<ApplyAt>(&one)) {
+                problem = apply_by_hand(*apply);
+            } else {
+                return_to(std::get<BackTo>(one));
+            }
+            if (problem) return std::move(*problem);
+        }
+        for (std::uint32_t number = 1; derivation_.steps.size() < count; ++number) {
+            report(job_, "derive", static_cast<double>(derivation_.steps.size()) / static_cast<double>(count));
+            if (is_cancelled(job_)) return cancelled_diagnostic();
+            const Result<bool> went_on = step_by_machine(number);
+            if (!went_on) return went_on.diagnostics();
+            if (!*went_on) break;
+        }
+        derivation_.choices = std::move(recorder_.choices);
+        return {std::move(derivation_), std::move(warnings_)};
+    }
+
+private:
+    SeenDesign seen() const {
+        return {derivation_.design, index_, static_cast<std::uint32_t>(derivation_.steps.size())};
+    }
+    Key step_key(std::uint64_t number) const {
+        return child(rooted(options_.site, Key{hash_text("step")}), number);
+    }
+
+    void return_to(const BackTo& back) {
+        std::uint32_t state = 0;
+        for (std::uint32_t s = 0; s < derivation_.steps.size(); ++s) {
+            if (derivation_.steps[s].name == back.name) state = s + 1;
+        }
+        go_to(derivation_, state);
+        index_ = curves::MatchIndex(derivation_.design, grammar_.tolerance);
+    }
+
+    std::optional<Diagnostic> apply_by_hand(const ApplyAt& wanted) {
+        const Result<Applications> found = applications_of(grammar_, wanted.rule, seen(), around_, job_);
+        if (!found) return found.diagnostics().front();
+        const Result<Application> at = application_at(grammar_, *found, wanted, around_);
+        if (!at) return at.diagnostics().front();
+        std::vector<Application> all = {*at};
+        const Rule& rule = grammar_.rules[wanted.rule];
+        if (wanted.is_orbit) all = orbit_of(*at, rule, seen(), grammar_.tolerance);
+        const std::string segment = "apply";
+        PresetNode node = node_below(walk_, walk_.root, {segment, ++by_hand_, 0});
+        const Key key = child(rooted(options_.site, Key{hash_text("apply")}), by_hand_);
+        ChoiceBuffer record;
+        std::optional<Diagnostic> problem = take(std::move(all), node, key, record);
+        if (problem) return problem;
+        derivation_.steps.back().by_hand = by_hand_;
+        derivation_.steps.back().by = wanted.span;
+        derivation_.steps.back().name = wanted.name;
+        return std::nullopt;
+    }
+
+    Result<bool> step_by_machine(std::uint32_t number) {
+        const Key key = step_key(number);
+        const PresetNode node = node_below(walk_, walk_.root, {"step", number, 0});
+        ChoiceBuffer record;
+        Result<std::optional<NextStep>> next =
+            draw_step(grammar_, seen(), walk_, node, key, around_, job_, record);
+        if (!next) return next.diagnostics();
+        if (!*next) {
+            derivation_.is_finished = true;
+            return false;
+        }
+        std::optional<Diagnostic> problem = take(std::move((*next)->at), node, key, record);
+        if (problem) return std::move(*problem);
+        derivation_.steps.back().number = number;
+        return true;
+    }
+
+    // Applies a rule; the choices of its right side are made below the step's node.
+    std::optional<Diagnostic> take(std::vector<Application> at, const PresetNode& node, Key key, ChoiceBuffer& record) {
+        const Rule& rule = grammar_.rules[at[0].rule];
+        const PresetNode below = node_below(walk_, node, {rule.name});
+        for (const PresetNode* met : {&node, &below}) {
+            for (const std::uint32_t preset : met->accepted) derivation_.met[preset] = 1;
+        }
+        std::vector<Shape> puts;
+        Result<StepChoices> choices = choices_at(walk_, below, around_.settings.globals, &record);
+        if (!choices) return choices.diagnostics().front();
+        for (std::uint32_t i = 0; i < at.size(); ++i) {
+            Result<Shape> put = put_by(grammar_, at[i], i, child(key, rule.name), around_, *choices);
+            if (!put) return put.diagnostics().front();
+            puts.push_back(std::move(*put));
+        }
+        const std::uint64_t most = around_.settings.limits.elements;
+        Step& step = apply_rule(derivation_, grammar_, std::move(at), puts);
+        index_.update(step.change.removed, step.change.added);
+        step.first_choice = recorder_.choices.size();
+        recorder_.append(record);
+        step.end_choice = recorder_.choices.size();
+        if (derivation_.design.elements.size() > most) {
+            return fault(Fault::limit, "limit.elements",
+                         "the design has more than " + std::to_string(most) + " elements after step " +
+                             std::to_string(derivation_.steps.size()) + ", by the rule '" + rule.name + "'",
+                         rule.span);
+        }
+        return std::nullopt;
+    }
+
+    const Grammar& grammar_;
+    const Surroundings& around_;
+    const DeriveOptions& options_;
+    const Job& job_;
+    PresetWalk walk_;
+    ChoiceRecorder recorder_;
+    Derivation derivation_;
+    curves::MatchIndex index_;
+    std::uint32_t by_hand_ = 0;
+    Diagnostics warnings_;
+};
+
+}  // namespace
+
+Derivation begin(const Grammar& grammar) {
+    Derivation derivation;
+    derivation.design = grammar.start;
+    derivation.made_by.assign(grammar.start.elements.size(), 0);
+    return derivation;
+}
+
+std::vector<std::uint32_t> way_to(const Derivation& derivation, std::uint32_t state) {
+    std::vector<std::uint32_t> way = {state};
+    while (way.back() != 0) way.push_back(derivation.steps[way.back() - 1].before);
+    std::reverse(way.begin(), way.end());
+    return way;
+}
+
+void go_to(Derivation& derivation, std::uint32_t state) {
+    const std::vector<std::uint32_t> from = way_to(derivation, derivation.state), to = way_to(derivation, state);
+    const auto [fork, other] = std::mismatch(from.begin(), from.end(), to.begin(), to.end());
+    for (auto back = from.end(); back != fork; --back) {
+        const Step& step = derivation.steps[*(back - 1) - 1];
+        // Who made what comes back is told below.
+        make(derivation, step.change.added, step.change.removed, 0);
+    }
+    for (auto next = other; next != to.end(); ++next) {
+        const Step& step = derivation.steps[*next - 1];
+        make(derivation, step.change.removed, step.change.added, *next);
+    }
+    derivation.state = state;
+    if (fork == from.end()) return;
+    for (std::size_t i = 0; i < derivation.design.elements.size(); ++i) {
+        std::uint32_t& made_by = derivation.made_by[i];
+        made_by = 0;
+        for (const std::uint32_t s : to) {
+            if (s == 0) continue;
+            const std::vector<Element>& added = derivation.steps[s - 1].change.added;
+            if (std::binary_search(added.begin(), added.end(), derivation.design.elements[i], curves::comes_before)) {
+                made_by = s;
+            }
+        }
+    }
+}
+
+Result<Shape> put_by(const Grammar& grammar, const Application& at, std::uint32_t number, Key step,
+                     const Surroundings& around, const StepChoices& choices) {
+    const Rule& rule = grammar.rules[at.rule];
+    if (rule.right_side == nullptr) return placed(rule.right, rule, at, grammar.tolerance);
+    Evaluation evaluation;
+    evaluation.document = &around.document;
+    evaluation.scope = &around.settings.globals;
+    evaluation.site.key = number == 0 ? step : child(step, number);
+    evaluation.site.name = "right";
+    const Result<Value> value = evaluate_with(choices, "right", *rule.right_side, with_shapes(evaluation));
+    if (!value) return value.diagnostics();
+    const Result<Shape> right = shape_of(*value, {around.document, around.files, grammar.tolerance});
+    if (!right) return right.diagnostics();
+    return placed(*right, rule, at, grammar.tolerance);
+}
+
+Step& apply_rule(Derivation& derivation, const Grammar& grammar, std::vector<Application> at,
+                 const std::vector<Shape>& puts) {
+    std::vector<Element> taken, put;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const Rule& rule = grammar.rules[at[i].rule];
+        const Shape covered = placed(rule.left, rule, at[i], grammar.tolerance);
+        taken.insert(taken.end(), covered.elements.begin(), covered.elements.end());
+        put.insert(put.end(), puts[i].elements.begin(), puts[i].elements.end());
+    }
+    Step step;
+    step.before = derivation.state;
+    step.rule = at[0].rule;
+    step.change = change_by(derivation.design, merged(std::move(taken), grammar.tolerance),
+                            merged(std::move(put), grammar.tolerance), grammar.tolerance, &derivation.ambiguities);
+    step.applied = std::move(at);
+    make(derivation, step.change.removed, step.change.added, static_cast<std::uint32_t>(derivation.steps.size() + 1));
+    derivation.steps.push_back(std::move(step));
+    derivation.state = static_cast<std::uint32_t>(derivation.steps.size());
+    return derivation.steps.back();
+}
+
+Result<Derivation> derive(const Grammar& grammar, const Surroundings& around, const DeriveOptions& options,
+                          const Job& job) {
+    return Deriver(grammar, around, options, job).run();
+}
+
+}  // namespace filigree::shape

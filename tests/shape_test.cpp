@@ -1,0 +1,189 @@
+// Shape documents as a person meets them: on the command line. The counts are the paper's (figures 9 to 15).
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/program.h"
+
+namespace filigree {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string petals = R"(grammar shape
+let petal = path("M -1 -1 Q 1 -3 3 3 M -1 -1 Q -3 1 3 3")
+let sides = path("M -3 3 Q -2 0 -1 -1 M 1 1 Q 0 2 -3 3 M 3 -3 Q 2 0 1 1 M -1 -1 Q 0 -2 3 -3")
+start design = sides + translate(2, 2) * petal + translate(-2, -2) * rotate(180) * petal
+slide = petal -> translate(-2, -2) * petal   match isometry
+back = inverse(slide)
+)";
+
+Json matches_of(const std::string& text, const std::string& rule, const std::string& options = "") {
+    const TestFolder folder;
+    const Ran ran = run_program("match " + folder.write("a.fil", text) + " --rule " + rule + " --json " + options);
+    EXPECT_EQ(ran.status, 0) << ran.out;
+    return ran.status == 0 ? Json::parse(ran.out) : Json();
+}
+std::size_t match_count(const std::string& text, const std::string& rule) {
+    return matches_of(text, rule)["rules"][0]["matches"].get<std::size_t>();
+}
+std::size_t element_count(const std::string& text) { return matches_of(text, "slide")["elements"].get<std::size_t>(); }
+
+std::string with_step(const std::string& text, const std::string& options) {
+    const TestFolder folder;
+    const Ran ran = run_program("step " + folder.write("a.fil", text) + " " + options);
+    EXPECT_EQ(ran.status, 0) << ran.out;
+    return ran.out;
+}
+
+TEST(Shape, PetalsEmerge) {
+    EXPECT_EQ(match_count(petals, "slide"), 2U);
+    EXPECT_EQ(element_count(petals), 8U);
+    const std::string one = with_step(petals, "--rule slide --match 1");
+    EXPECT_EQ(match_count(one, "slide"), 2U);
+    EXPECT_EQ(element_count(one), 6U);
+    const TestFolder folder;
+    const Ran listed = run_program("match " + folder.write("a.fil", one) + " --rule slide");
+    EXPECT_EQ(listed.out.substr(0, 17), "slide: 2 matches\n") << listed.out;
+    const std::string two = petals + "apply slide at (3, 3)\napply slide at (-3, -3)\n";
+    EXPECT_EQ(match_count(two, "slide"), 4U);
+    EXPECT_EQ(element_count(two), 4U);
+}
+
+TEST(Shape, TheCurvedSquareInTheMiddleIsFoundOnce) {
+    const std::string square = petals + R"(apply slide at (3, 3)
+apply slide at (-3, -3)
+let side = path("M -1 -1 Q 0 -2 1 -1")
+let square = side + rotate(90) * side + rotate(180) * side + rotate(270) * side
+turn = square -> rotate(45) * scale(1.5) * square
+)";
+    const Json found = matches_of(square, "turn");
+    EXPECT_EQ(found["rules"][0]["matches"], 1);
+    EXPECT_EQ(found["rules"][0]["applications"].size(), 1U) << "the turned square has the symmetries of the square";
+    const Json after = matches_of(square + "apply turn at (0, 0)\n", "turn");
+    EXPECT_EQ(after["elements"], 12);
+    EXPECT_EQ(after["rules"][0]["matches"], 1);
+}
+
+TEST(Shape, AnInverseTakesBack) {
+    const std::string there = petals + "apply slide at (3, 3)\n";
+    const Json gone = matches_of(there + "apply back at (1, 1)\n", "slide");
+    EXPECT_EQ(gone["design"], matches_of(petals, "slide")["design"]);
+}
+
+TEST(Shape, GoesBackToAStateAndTakesAnotherWay) {
+    const std::string tree = petals + R"(apply one = slide at (3, 3)
+apply slide at (-3, -3)
+back to one
+apply back at (1, 1)
+)";
+    const Json found = matches_of(tree, "slide");
+    EXPECT_EQ(found["state"], 3);
+    EXPECT_EQ(found["design"], matches_of(petals, "slide")["design"]);
+    const TestFolder folder;
+    const Ran derived = run_program("derive " + folder.write("a.fil", tree));
+    EXPECT_NE(derived.out.find("from state 1"), std::string::npos) << derived.out;
+}
+
+TEST(Shape, AppliesAtAllPlacesOfAnOrbit) {
+    const Json both = matches_of(petals + "apply slide at (3, 3) orbit\n", "slide");
+    EXPECT_EQ(both["elements"], 4);
+    EXPECT_EQ(both["rules"][0]["matches"], 4);
+}
+
+TEST(Shape, AStepNamesItsMatchByWhereItLies) {
+    const std::string one = with_step(petals, "--rule slide --match 2");
+    EXPECT_EQ(one.substr(0, petals.size()), petals);
+    const std::string statement = one.substr(petals.size());
+    EXPECT_EQ(statement.substr(0, 15), "apply slide at ") << statement;
+    // An earlier edit elsewhere leaves it where it is.
+    const std::string earlier = petals + "apply slide at (3, 3)\napply back at (1, 1)\n" + statement;
+    EXPECT_EQ(matches_of(earlier, "slide")["design"], matches_of(one, "slide")["design"]);
+}
+
+TEST(Shape, DerivesByItselfAndEndsWhereNoRuleApplies) {
+    const std::string text = R"(grammar shape
+seed 3
+start bar = line((0, 0), (90, 0)) + point((0, 0), "tip")
+grow = point((0, 0), "tip") -> point((10, 0), "tip") + line((0, 0), (0, 5))   match translation when x < 75
+steps 100
+)";
+    const TestFolder folder;
+    const std::string file = folder.write("a.fil", text);
+    const Ran derived = run_program("derive " + file);
+    EXPECT_EQ(derived.status, 0) << derived.out;
+    EXPECT_NE(derived.out.find("8  step[8]/grow"), std::string::npos) << derived.out;
+    EXPECT_NE(derived.out.find("no rule applies any more"), std::string::npos);
+    const Ran rendered = run_program("render " + file + " --verify -o " + (folder / "a.svg"));
+    EXPECT_EQ(rendered.status, 0) << rendered.out;
+}
+
+TEST(Shape, ChoicesAreListedSetAndReplayed) {
+    const std::string text = R"(grammar shape
+seed 3
+start bar = point((0, 0), "a") + point((50, 0), "a")
+grow = point((0, 0), "a") -> point((0, 10), "a") + line((0, 0), (3..9, 10))   match translation
+branch = point((0, 0), "a") -> point((10, 10), "a") + line((0, 0), (10, 10))   match translation weight 2
+steps 12
+)";
+    const TestFolder folder;
+    const std::string file = folder.write("a.fil", text);
+    const Ran choices = run_program("choices " + file);
+    ASSERT_EQ(choices.status, 0) << choices.out;
+    const Json rows = Json::parse(choices.out);
+    std::size_t rules = 0, matches = 0, rights = 0;
+    for (const Json& row : rows) {
+        rules += row["name"] == "rule" ? 1U : 0U;
+        matches += row["name"] == "match" ? 1U : 0U;
+        rights += row["name"] == "right" ? 1U : 0U;
+    }
+    EXPECT_EQ(rules, 12U);
+    EXPECT_EQ(matches, 12U);
+    EXPECT_GT(rights, 0U);
+    const std::string kept = folder.write("c.json", choices.out);
+    const auto path_of = [&](const std::string& options) {
+        const Ran ran = run_program("derive " + file + " --format json " + options);
+        EXPECT_EQ(ran.status, 0) << ran.out;
+        return Json::parse(ran.out)["path"].get<std::string>();
+    };
+    EXPECT_NE(path_of("--seed 8"), path_of(""));
+    const Ran replayed = run_program("render " + file + " --seed 8 --choices " + kept + " -o " + (folder / "b.svg"));
+    const Ran drawn = run_program("render " + file + " -o " + (folder / "a.svg"));
+    ASSERT_EQ(replayed.status, 0) << replayed.out;
+    ASSERT_EQ(drawn.status, 0) << drawn.out;
+    const auto set = [&](const std::string& preset) { return path_of("--set '" + preset + "'"); };
+    EXPECT_NE(set("step[1].rule=\"branch\""), set("step[1].rule=\"grow\""));
+    EXPECT_NE(set("step[2].match=1"), set("step[2].match=2"));
+}
+
+TEST(Shape, EnumeratesDesignsOnce) {
+    const std::string text = R"(grammar shape
+start two = point((0, 0), "a") + point((50, 0), "a")
+mark = point((0, 0), "a") -> point((0, 0), "b")   match translation
+)";
+    const TestFolder folder;
+    const std::string file = folder.write("a.fil", text);
+    const Ran all = run_program("designs " + file + " --depth 5");
+    EXPECT_NE(all.out.find("4 designs: 1 at depth 0, 2 at depth 1, 1 at depth 2"), std::string::npos) << all.out;
+    const Ran alike = run_program("designs " + file + " --depth 5 --up-to isometry");
+    EXPECT_NE(alike.out.find("3 designs: 1 at depth 0, 1 at depth 1, 1 at depth 2"), std::string::npos) << alike.out;
+}
+
+TEST(Shape, CutsPolygonsByTheirCorners) {
+    const std::string text = R"(grammar shape
+seed 2
+start frame = rectangle(200, 150)
+cut = rectangle(1, 1) -> rectangle(1, 1) + line((-0.2..0.2, -0.5), (-0.2..0.2, 0.5))   match corners when area > 1500
+steps 200
+)";
+    const TestFolder folder;
+    const Ran derived = run_program("derive " + folder.write("a.fil", text) + " --format json");
+    ASSERT_EQ(derived.status, 0) << derived.out;
+    const Json json = Json::parse(derived.out);
+    EXPECT_TRUE(json["finished"]);
+    EXPECT_GT(json["steps"].size(), 15U);
+    EXPECT_LT(json["steps"].size(), 60U);
+}
+
+}  // namespace
+}  // namespace filigree
