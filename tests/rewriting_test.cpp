@@ -235,6 +235,7 @@ TEST(Rewriting, SettingsOfDrawingThatAreWrong) {
     expect("letter b box(20)\n", "language.missing-argument");
     expect("letter b file(\"none.svg\")\n", "none.svg");
     expect("letter bb line\n", "rewriting.bad-letter");
+    expect("letter \"=\" line\n", "'=' lets the symbol before it sleep");
     expect("angle 3 4\n", "rewriting.bad-setting");
     expect("angle 3px\n", "language.wrong-kind");
     expect("angle 3\nangle 4\n", "rewriting.repeated-setting");

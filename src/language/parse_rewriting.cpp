@@ -121,7 +121,9 @@ std::optional<SettingStatement> Parser::read_setting() {
             fail_expected("language.missing-value", "a value", {example});
             return std::nullopt;
         }
-        const bool is_lone = find_word_setting(setting.name.text)->is_map && at_word("over");
+        // `register k -5` says what k is, and takes nothing away from it.
+        const bool is_register = setting.name.text == "register" && setting.values.empty() && at(TokenKind::name);
+        const bool is_lone = is_register || (find_word_setting(setting.name.text)->is_map && at_word("over"));
         ExpressionPtr value = is_lone ? read_lone_word() : read_expression();
         if (!value) return std::nullopt;
         setting.values.push_back(std::move(value));

@@ -297,6 +297,35 @@ TEST(Derive, WhatIsDecidedIsCountedAlongTheWay) {
     EXPECT_EQ(derivation->word.size(), 1'000'000U);
 }
 
+TEST(Derive, NegativeNumbersAreWrong) {
+    const auto wrong = [](const std::string& rules) {
+        const Read said = read("register k 1\nparam low = -2\naxiom \"ab\"\n" + rules);
+        if (said.problems.empty()) return std::string("nothing");
+        const SourceSpan span = said.problems[0].span;
+        return said.problems[0].code + " " + said.document.text().substr(span.begin, span.end - span.begin);
+    };
+    EXPECT_EQ(wrong("a -> \"b\" * -1"), "rewriting.negative-number -1");
+    EXPECT_EQ(wrong("a -> \"b\", \"c\" * (low + 1)"), "rewriting.negative-number (low + 1)");
+    EXPECT_EQ(wrong("a -> \"b\" loop -3"), "rewriting.negative-number -3");
+    EXPECT_EQ(wrong("a -> \"b\" * 0 loop -0.4"), "nothing") << "a loop is rounded";
+    EXPECT_EQ(wrong("a -> \"b\" * (1 - k) loop 2 - t"), "nothing") << "that hangs on the iteration";
+    EXPECT_EQ(words("axiom \"a\"\na -> \"ab\" * (1 - t), \"a\"", 2), "a a rewriting.negative-number");
+    EXPECT_EQ(words("axiom \"a\"\na -> \"ab\" loop 1 - 2 * t", 1), "a rewriting.negative-number");
+    const Read said = read("axiom \"a\"\na -> \"ab\" * (2 - 3 * t), \"a\"");
+    Result<Derivation> derivation = begin(said.grammar, options_of(said));
+    ASSERT_TRUE(derivation);
+    const std::optional<Diagnostic> problem = step(*derivation, said.grammar, options_of(said), {});
+    ASSERT_TRUE(problem);
+    EXPECT_EQ(problem->message, "expected 0 or more as a weight, but this is -1");
+    EXPECT_EQ(said.document.text().substr(problem->span.begin, 11), "(2 - 3 * t)");
+}
+
+TEST(Derive, RegistersMayBeginBelowZero) {
+    for (const char* said : {"register k -2", "register k, -2", "register k - 2"}) {
+        EXPECT_EQ(words("axiom \"a\"\na -> \"{$k b}a\" { k = k + 3 }\n" + std::string(said), 2), "a a ba") << said;
+    }
+}
+
 TEST(Derive, WrongGrammars) {
     EXPECT_EQ(words("a -> \"b\"", 0), "rewriting.missing-axiom");
     EXPECT_EQ(words("axiom \"a\"\naxiom \"b\"", 0), "rewriting.repeated-setting");

@@ -225,7 +225,8 @@ private:
     // Where a jump leads to an iteration, it must be known which row serves that.
     std::string row_length() {
         if (has(Feature::jumps)) return one_of({"1", "2", "1", "3", "0"});
-        return one_of({"1", "2", "1", "3", "ix", "iy", "ix + iy", "1 - ix", "t", "count", "mod(count + t, 3)"});
+        return one_of(
+            {"1", "2", "1", "3", "ix", "iy", "ix + iy", "max(1 - ix, 0)", "5 - t", "t", "count", "mod(count + t, 3)"});
     }
     Rule random_rule(std::size_t which, char32_t letter) {
         Rule rule;
@@ -260,7 +261,7 @@ private:
                        "mod(count, 3)", "mod(density + distance, 3)", "mod(age, 3)"});
     }
     std::string weight() {
-        return one_of({"2", "0.5", "0", "1 - t", "t", "depth + 1", "mod(index, 2) + 0.1",
+        return one_of({"2", "0.5", "0", "max(2 - t, 0)", "5 - t", "t", "depth + 1", "mod(index, 2) + 0.1",
                        uses_registers() ? "ix + 0.25" : "3", "age", "homogeneity", "distance", "density / count"});
     }
     Successor successor(std::size_t which, char32_t letter) {

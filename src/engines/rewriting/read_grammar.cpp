@@ -7,10 +7,12 @@
 #include "engines/rewriting/pattern.h"
 #include "engines/rewriting/read_edit.h"
 #include "engines/rewriting/read_lookup.h"
+#include "engines/rewriting/rule_match.h"
 #include "engines/rewriting/setting_values.h"
 #include "engines/rewriting/symbol_facts.h"
 #include "formats/csv_read.h"
 #include "language/check.h"
+#include "language/walk.h"
 #include "language/word_settings.h"
 
 namespace filigree::rewriting {
@@ -82,6 +84,25 @@ private:
     void check_number(const ExpressionPtr& expression, const Scope& scope) {
         if (expression) append(diagnostics, problems_of_number(expression, scope));
     }
+    // One that is the same whatever the values, and so is wrong from the beginning.
+    template <class Wrong>
+    void check_constant(const ExpressionPtr& expression, const Scope& scope, Wrong wrong) {
+        if (!expression || hangs_on(scope, *expression)) return;
+        const Result<Value> value = evaluate(*expression, with(scope));
+        const Result<double> number = value ? as_number(*value) : Result<double>(value.diagnostics());
+        if (!number) return;
+        if (std::optional<Diagnostic> problem = wrong(*number, expression->span)) report(std::move(*problem));
+    }
+    // Whether it names what is no name of the whole document.
+    bool hangs_on(const Scope& scope, const Expression& expression) const {
+        const std::vector<NameInExpression> names = names_in(expression);
+        return std::any_of(names.begin(), names.end(), [&](const NameInExpression& name) {
+            for (const Scope* at = &scope; at != nullptr && at != &settings_.globals; at = at->outer) {
+                if (at->names.contains(name.text)) return true;
+            }
+            return false;
+        });
+    }
     // The numbers of repeats have no place of their own in the document.
     void check_counts(const std::vector<Pattern::Part>& parts, const Scope& scope, SourceSpan text) {
         for (const Pattern::Part& part : parts) {
@@ -103,10 +124,12 @@ private:
         const std::vector<std::string_view> looked_up = names_looked_up(rule, grammar_.maps);
         const Scope known = example_scope(looked_up, &facts_of_symbol_);
         check_number(rule.loop, facts_of_row_);
+        check_constant(rule.loop, facts_of_row_, wrong_loop);
         if (rule.condition) check_condition_of(rule.condition, looked_up);
         for (const Assignment& assignment : rule.assignments) check_number(assignment.value, known);
         for (const Successor& successor : rule.successors) {
             check_number(successor.weight, known);
+            check_constant(successor.weight, known, wrong_weight);
             for (const ExpressionPtr& index : successor.indexes) check_number(index, known);
             check_counts(successor.pattern.parts, known, successor.span);
             for (const Lookup::Row& row : successor.lookup.rows) check_counts(row.pattern.parts, known, row.span);

@@ -341,7 +341,7 @@ private:
             double length = 1;
             if (const ExpressionPtr& loop = rules[row.row]->loop) {
                 const auto asked = asking(iteration, row.letter).number(loop);
-                if (!asked) return fail(Outcome::wrong);
+                if (!asked || *asked < 0) return fail(Outcome::wrong);
                 length = *asked;
             }
             row.left = length >= 1 ? static_cast<std::uint64_t>(length) : 0;
@@ -436,7 +436,7 @@ private:
             const Successor& successor = rule.successors[k];
             std::optional<double> weight = 1;
             if (successor.weight) weight = asking(p).number(successor.weight);
-            if (!weight) {
+            if (!weight || *weight < 0) {
                 fail(Outcome::wrong);
                 return nullptr;
             }

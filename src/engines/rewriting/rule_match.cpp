@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "base/number_text.h"
 #include "engines/rewriting/turtle.h"
 
 namespace filigree::rewriting {
@@ -19,7 +21,21 @@ bool looks_up(const Rule& rule) {
 }
 bool serves(const Rule& rule, std::uint32_t iteration) { return rule.first <= iteration && iteration <= rule.last; }
 
+Diagnostic below_zero(std::string_view what, double value, SourceSpan at) {
+    return error("rewriting.negative-number",
+                 "expected 0 or more as " + std::string(what) + ", but this is " + filigree::to_text(value), at);
+}
+
 }  // namespace
+
+std::optional<Diagnostic> wrong_weight(double value, SourceSpan at) {
+    if (value < 0) return below_zero("a weight", value, at);
+    return std::nullopt;
+}
+std::optional<Diagnostic> wrong_loop(double value, SourceSpan at) {
+    if (value <= -0.5) return below_zero("the number of iterations of a row", value, at);
+    return std::nullopt;
+}
 
 RuleMatcher::RuleMatcher(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options)
     : derivation_(derivation), grammar_(grammar), options_(options), asked_(derivation.asked) {
@@ -79,6 +95,7 @@ bool RuleMatcher::advance(Derivation::Row& row, bool is_new, std::uint32_t scope
         if (const ExpressionPtr& loop = rules[row.row]->loop) {
             const Result<double> times = value_of(loop, names_of_row(iteration, rules[row.row]->letter));
             if (!times) return fail(times.diagnostics().front());
+            if (std::optional<Diagnostic> wrong = wrong_loop(*times, loop->span)) return fail(std::move(*wrong));
             row.left = *times >= 0.5 ? static_cast<std::uint64_t>(std::min(*times + 0.5, 1e18)) : 0;
         }
         if (row.left > 0) return true;
@@ -270,9 +287,15 @@ std::uint64_t RuleMatcher::bits_at(std::size_t index, std::uint64_t stream, std:
 std::optional<double> RuleMatcher::weight_of(const Successor& successor, const Scope& names) {
     if (!successor.weight) return 1;
     const Result<double> weight = value_of(successor.weight, names);
-    if (weight) return *weight;
-    fail(weight.diagnostics().front());
-    return std::nullopt;
+    if (!weight) {
+        fail(weight.diagnostics().front());
+        return std::nullopt;
+    }
+    if (std::optional<Diagnostic> wrong = wrong_weight(*weight, successor.weight->span)) {
+        fail(std::move(*wrong));
+        return std::nullopt;
+    }
+    return *weight;
 }
 
 std::optional<std::size_t> RuleMatcher::draw_successor(const Rule& rule, std::size_t index, const Scope& names) {

@@ -29,6 +29,10 @@ struct Standing {
     std::size_t index = 0;  // among those that are no '='
 };
 
+// What is wrong with the value of a weight, and with that of a loop, which is rounded; nothing where it is 0 or more.
+std::optional<Diagnostic> wrong_weight(double value, SourceSpan at);
+std::optional<Diagnostic> wrong_loop(double value, SourceSpan at);
+
 class RuleMatcher {
 public:
     // All must outlive this; the derivation's word and registers must stay as they are. Rows are advanced in it.

@@ -74,6 +74,11 @@ std::optional<double> SettingValues::whole_of(const ExpressionPtr& expression, d
 std::optional<char32_t> SettingValues::letter_of(const ExpressionPtr& expression) {
     const std::string* said = word_of(expression) != nullptr ? word_of(expression) : text_of(expression);
     const std::u32string letters = said == nullptr ? std::u32string() : letters_of(*said);
+    if (letters == U"=") {
+        report(
+            error("rewriting.bad-letter", "'=' lets the symbol before it sleep and is none itself", expression->span));
+        return std::nullopt;
+    }
     if (letters.size() == 1) return letters[0];
     report(error("rewriting.bad-letter", "expected one letter", expression->span,
                  {"signs are written in quotes, as in \"+\""}));
