@@ -86,9 +86,14 @@ public:
         cairo_set_miter_limit(cairo_, mitre_limit);
     }
 
-    void paint() {
+    // As far as the job goes on.
+    void paint(const Job& job) {
+        std::uint32_t painted = 0;
         for (const PaintStep& step : painting_steps(drawing_)) {
-            for (std::uint32_t s = step.first; s < step.end; ++s) paint(drawing_.shapes[s]);
+            for (std::uint32_t s = step.first; s < step.end; ++s) {
+                if ((++painted & 0xFF) == 0 && is_cancelled(job)) return;
+                paint(drawing_.shapes[s]);
+            }
         }
     }
 
@@ -234,7 +239,8 @@ Result<std::string> to_png(const Drawing& drawing, const PngOptions& options) {
     cairo_set_operator(cairo.get(), CAIRO_OPERATOR_SOURCE);
     cairo_paint(cairo.get());
     cairo_set_operator(cairo.get(), CAIRO_OPERATOR_OVER);
-    Painter(cairo.get(), drawing, options.scale, size).paint();
+    Painter(cairo.get(), drawing, options.scale, size).paint(options.job);
+    if (is_cancelled(options.job)) return cancelled_diagnostic();
     if (const cairo_status_t status = cairo_status(cairo.get()); status != CAIRO_STATUS_SUCCESS) {
         return cairo_fault(status);
     }

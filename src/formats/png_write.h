@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "base/job.h"
 #include "base/result.h"
 #include "scene/drawing.h"
 
@@ -10,6 +11,7 @@ namespace filigree {
 
 struct PngOptions {
     double scale = 2;  // pixels a px: 1 is 96 dpi
+    Job job = {};      // its progress is not reported
 };
 // Refused (Fault::limit) above 32,000 pixels a side or 400 million in all, and where scale or canvas are not
 // above 0. Without a background of the canvas the paper is white; a translucent one stays so.

@@ -170,6 +170,15 @@ TEST(PngWrite, RefusesWhatIsTooLarge) {
     }
 }
 
+TEST(PngWrite, EndsWhereItIsCancelled) {
+    const std::atomic<bool> is_cancelled = true;
+    PngOptions options;
+    options.job.cancel_flag = &is_cancelled;
+    const Result<std::string> ended = to_png(many_blobs(3, 9, {50, 50}, filled(red)), options);
+    ASSERT_FALSE(ended);
+    EXPECT_EQ(ended.diagnostics()[0].code, "job.cancelled");
+}
+
 TEST(PngWrite, TheSamePictureGivesTheSameBytes) {
     for (const Style& style : {Style{white, black, 1, Corner::round}, filled(red)}) {
         const Drawing drawing = many_blobs(2000, 60, {500, 500}, style);

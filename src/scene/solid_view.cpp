@@ -299,8 +299,9 @@ private:
 Result<Drawing> solid_view(const Mesh& mesh, std::span<const Material> materials, const View& view,
                            const SolidViewOptions& options) {
     const Camera camera = camera_of(view, mesh);
-    MeshPieces ready = mesh_pieces(mesh, camera);
-    const auto order = painters_order(ready.pieces, ready.whole, viewer_of(camera), options.most_pieces);
+    MeshPieces ready = mesh_pieces(mesh, camera, options.job);
+    if (is_cancelled(options.job)) return cancelled_diagnostic();
+    const auto order = painters_order(ready.pieces, ready.whole, viewer_of(camera), options.most_pieces, options.job);
     if (!order) return order.diagnostics();
     const std::vector<char> drawn = drawn_edges(mesh, ready.looks, options.crease);
     return Draughtsman(mesh, materials, view, camera, options, ready.pieces, drawn).draw(*order);

@@ -16,6 +16,7 @@
 #include <span>
 #include <string>
 
+#include "base/job.h"
 #include "base/limits.h"
 #include "base/result.h"
 #include "scene/drawing.h"
@@ -30,6 +31,7 @@ struct SolidViewOptions {
     std::optional<double> margin = {};  // px around the picture; see fit_canvas
     std::string path;                   // of the one group that holds all
     std::uint64_t most_pieces = Limits{}.elements;
+    Job job = {};  // its progress is not reported
 };
 
 // A material that the table has not is Material{}. The light's shading darkens the fill of faces; lines have it as it

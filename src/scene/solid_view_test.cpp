@@ -333,6 +333,12 @@ TEST(SolidView, ComesToNoHarm) {
     const Result<Drawing> refused = solid_view(random_mesh(random, 30), {}, {}, few);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.diagnostics()[0].code, "limit.elements");
+    const std::atomic<bool> is_cancelled = true;
+    SolidViewOptions cancelled;
+    cancelled.job.cancel_flag = &is_cancelled;
+    const Result<Drawing> ended = solid_view(random_mesh(random, 30), {}, {}, cancelled);
+    ASSERT_FALSE(ended);
+    EXPECT_EQ(ended.diagnostics()[0].code, "job.cancelled");
 }
 
 }  // namespace

@@ -47,7 +47,8 @@ bool is_convex(const std::vector<Point>& ring) {
 
 class EarClipper {
 public:
-    explicit EarClipper(const std::vector<Point>& ring) : ring_(ring), next_(ring.size()), previous_(ring.size()) {
+    EarClipper(const std::vector<Point>& ring, const Job& job)
+        : ring_(ring), job_(job), next_(ring.size()), previous_(ring.size()) {
         const auto count = static_cast<std::uint32_t>(ring.size());
         for (std::uint32_t i = 0; i < count; ++i) {
             next_[i] = (i + 1) % count;
@@ -61,7 +62,9 @@ public:
     ConvexParts clip() && {
         std::size_t left = ring_.size(), passed = 0;
         std::uint32_t at = 0;
+        std::uint32_t asked = 0;
         while (left >= 3) {
+            if ((++asked & 0xFF) == 0 && is_cancelled(job_)) break;
             const bool is_stuck = passed > left;
             if (is_stuck) {
                 // What is left on one line encloses nothing; anything else crosses itself.
@@ -99,6 +102,7 @@ private:
     }
 
     const std::vector<Point>& ring_;
+    const Job& job_;
     std::vector<std::uint32_t> next_, previous_;
     std::vector<std::uint32_t> reflex_;  // of those left
     ConvexParts parts_;
@@ -106,7 +110,7 @@ private:
 
 }  // namespace
 
-ConvexParts convex_parts(std::span<const Vec3> ring, double flat) {
+ConvexParts convex_parts(std::span<const Vec3> ring, double flat, const Job& job) {
     ConvexParts parts;
     const Vec3 normal = doubled_area(ring);
     if (ring.size() < 3 || !(length(normal) > 0)) return parts;
@@ -119,7 +123,7 @@ ConvexParts convex_parts(std::span<const Vec3> ring, double flat) {
         parts.ends.push_back(static_cast<std::uint32_t>(ring.size()));
         return parts;
     }
-    parts = EarClipper(points).clip();
+    parts = EarClipper(points, job).clip();
     parts.is_whole = parts.is_whole && is_flat;
     return parts;
 }

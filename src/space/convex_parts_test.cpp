@@ -56,6 +56,16 @@ TEST(ConvexParts, KnowWhatIsConvexAndFlat) {
     EXPECT_EQ(convex_parts(in_line, 0).ends.size(), 1U);
 }
 
+TEST(ConvexParts, EndWhereTheyAreCancelled) {
+    std::vector<Vec3> comb;  // teeth upwards
+    for (int i = 0; i < 2000; ++i) comb.push_back({-i / 2.0, i % 2 == 0 ? 0.0 : 9.0, 0});
+    comb.push_back({-1000, -1, 0});
+    comb.push_back({0, -1, 0});
+    EXPECT_EQ(convex_parts(comb, 0).ends.size(), 2000U);
+    const std::atomic<bool> is_cancelled = true;
+    EXPECT_LT(convex_parts(comb, 0, {&is_cancelled, {}}).ends.size(), 300U);
+}
+
 TEST(ConvexParts, EndForWhatIsNoPolygon) {
     const auto at = [](double turn) {
         const elementary::CosSin to = elementary::cos_sin_degrees(turn);

@@ -17,8 +17,8 @@ bool is_near_origin(Vec3 p) {  // false for what is not a number
 
 class Collector {
 public:
-    Collector(const Mesh& mesh, const Camera& camera)
-        : mesh_(mesh), viewer_(viewer_of(camera)), near_(near_plane(camera)) {
+    Collector(const Mesh& mesh, const Camera& camera, const Job& job)
+        : mesh_(mesh), job_(job), viewer_(viewer_of(camera)), near_(near_plane(camera)) {
         double extent = 0;
         seen_.reserve(mesh.vertices.size());
         for (const Vec3 vertex : mesh.vertices) {
@@ -48,7 +48,7 @@ private:
         const double side = side_of(viewer_, plane);
         all_.looks.back() = static_cast<signed char>(side > 0 ? 1 : side < 0 ? -1 : 0);
 
-        const ConvexParts parts = convex_parts(ring_, flat_);
+        const ConvexParts parts = convex_parts(ring_, flat_, job_);
         const std::uint32_t first_edge = first_corner(mesh_, face);
         const auto count = static_cast<std::uint32_t>(ring_.size());
         std::uint32_t parent = no_piece;
@@ -140,6 +140,7 @@ private:
     }
 
     const Mesh& mesh_;
+    const Job& job_;
     const Viewer viewer_;
     const std::optional<Plane3> near_;
     MeshPieces all_;
@@ -150,6 +151,8 @@ private:
 
 }  // namespace
 
-MeshPieces mesh_pieces(const Mesh& mesh, const Camera& camera) { return Collector(mesh, camera).collect(); }
+MeshPieces mesh_pieces(const Mesh& mesh, const Camera& camera, const Job& job) {
+    return Collector(mesh, camera, job).collect();
+}
 
 }  // namespace filigree

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/job.h"
 #include "space/mesh.h"
 #include "space/painters_order.h"
 #include "space/view.h"
@@ -19,6 +20,7 @@ struct MeshPieces {
     std::vector<std::uint32_t> whole;
     std::vector<signed char> looks;  // of each face: 1 towards the viewer, -1 away, 0 neither
 };
-MeshPieces mesh_pieces(const Mesh& mesh, const Camera& camera);
+// Some of it where the job is cancelled.
+MeshPieces mesh_pieces(const Mesh& mesh, const Camera& camera, const Job& job = {});
 
 }  // namespace filigree

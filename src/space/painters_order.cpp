@@ -230,7 +230,7 @@ void part(Pieces& pieces, std::span<const std::uint32_t> which, const Plane3& pl
 }
 
 Result<std::vector<std::uint32_t>> painters_order(Pieces& pieces, std::span<const std::uint32_t> which,
-                                                  const Viewer& viewer, std::uint64_t most_pieces) {
+                                                  const Viewer& viewer, std::uint64_t most_pieces, const Job& job) {
     struct Task {
         std::size_t first;  // of what is left to do, up to where the next task's begins
         bool is_ordered;
@@ -241,6 +241,7 @@ Result<std::vector<std::uint32_t>> painters_order(Pieces& pieces, std::span<cons
     PlaneChooser chooser(pieces, tolerance);
     PlaneSides sides;
     while (!tasks.empty()) {
+        if (is_cancelled(job)) return cancelled_diagnostic();
         const Task task = tasks.back();
         tasks.pop_back();
         set.assign(left.begin() + static_cast<std::ptrdiff_t>(task.first), left.end());

@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "base/job.h"
 #include "base/limits.h"
 #include "base/result.h"
 #include "space/vector.h"
@@ -75,6 +76,7 @@ void part(Pieces& pieces, std::span<const std::uint32_t> which, const Plane3& pl
 // Those of `which` that are not cut, and the parts of the others, the farthest first. More than `most_pieces` in all
 // are `limit.elements`.
 Result<std::vector<std::uint32_t>> painters_order(Pieces& pieces, std::span<const std::uint32_t> which,
-                                                  const Viewer& viewer, std::uint64_t most_pieces = Limits{}.elements);
+                                                  const Viewer& viewer, std::uint64_t most_pieces = Limits{}.elements,
+                                                  const Job& job = {});
 
 }  // namespace filigree

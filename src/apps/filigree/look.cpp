@@ -131,7 +131,8 @@ int run_variations(const VariationsCommand& command) {
     SheetOptions sheet;
     sheet.title = looked->opened.name;
     const Drawing drawing = contact_sheet(cells, sheet);
-    Result<std::string> bytes = encoded(drawing, command.output, {command.dpi, false, nullptr, looked->opened.name});
+    Result<std::string> bytes =
+        encoded(drawing, command.output, {command.dpi, false, nullptr, looked->opened.name, job});
     if (!bytes) return print_diagnostics(bytes.diagnostics(), {});
     return print_diagnostics(write_files({{command.output, std::move(*bytes)}}), {});
 }

@@ -83,7 +83,7 @@ Diagnostics overwrites(const std::vector<fs::path>& targets, const std::vector<f
 }
 
 Result<std::string> encoded(const Drawing& drawing, const fs::path& output, const EncodeOptions& options) {
-    if (ending_of(output) == ".png") return to_png(drawing, {options.dpi / 96});
+    if (ending_of(output) == ".png") return to_png(drawing, {options.dpi / 96, options.job});
     if (ending_of(output) == ".pdf") {
         PdfOptions pdf;
         pdf.carried = options.carried;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/job.h"
 #include "base/result.h"
 #include "formats/svg_write.h"
 #include "scene/drawing.h"
@@ -31,6 +32,7 @@ struct EncodeOptions {
     bool lean = false;
     const CarriedDocument* carried = nullptr;  // into an SVG or PDF, if given
     std::string title;
+    Job job = {};  // its progress is not reported
 };
 // The bytes of a drawing in the format that the path's ending names.
 Result<std::string> encoded(const Drawing& drawing, const std::filesystem::path& output, const EncodeOptions& options);

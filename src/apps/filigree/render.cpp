@@ -93,7 +93,7 @@ Outcome render_once(const RenderCommand& command, Executor& executor, const Job&
             continue;
         }
         Result<std::string> bytes = encoded(
-            run->drawing, output, {command.dpi, command.lean, &document, fs::path(opened->name).stem().string()});
+            run->drawing, output, {command.dpi, command.lean, &document, fs::path(opened->name).stem().string(), job});
         if (!bytes) return {print_diagnostics(bytes.diagnostics(), {}), read};
         files.push_back({output, std::move(*bytes)});
     }

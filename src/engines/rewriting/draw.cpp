@@ -231,6 +231,7 @@ private:
         options.margin = 0;
         options.path = "word";
         options.most_pieces = settings_.limits.elements;
+        options.job = options_.job;
         Result<Drawing> drawing = solid_view(solid->mesh, solid->materials, view, options);
         if (!drawing) return drawing.diagnostics();
         Box box{{0, 0}, {0, 0}};
