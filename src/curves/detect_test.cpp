@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "base/elementary.h"
 #include "curves/curve_test_shapes.h"
 #include "curves/symmetry.h"
@@ -30,10 +32,13 @@ TEST(Detect, FindsTheFourPetalsOfAFlowerThatNobodyDrewAsPetals) {
         EXPECT_LT(match.misfit, 1e-8);
         EXPECT_EQ(match.carriers.size(), 2U);
     }
-    // The petal's arcs have their middles all about the flower's centre, so the matches differ by the angle alone.
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(matches.found[i].angle_degrees, 90.0 * static_cast<double>(i));
-    EXPECT_NEAR(matches.found[0].by.e, 0, 1e-14);
-    EXPECT_NEAR(matches.found[0].by.f, 0, 1e-14);
+    // By their centroids, from left to right and from top to bottom.
+    const std::array<double, 4> angles = {180, 90, 270, 0};
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(matches.found[i].angle_degrees, angles[i]);
+        EXPECT_NEAR(matches.found[i].by.e, 0, 1e-14);
+        EXPECT_NEAR(matches.found[i].by.f, 0, 1e-14);
+    }
 }
 
 TEST(Detect, FindsTwoPetalsHoweverFarTheyAreDrawnOut) {

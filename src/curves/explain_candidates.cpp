@@ -316,15 +316,6 @@ private:
 
 }  // namespace
 
-Vec centroid_of(const Shape& shape) {
-    Vec sum;
-    for (const Element& e : shape.elements) {
-        const Interval on = interval_of(e);
-        sum = sum + point_at(e, 0.5 * (on.from + on.to));
-    }
-    return sum * (1 / static_cast<double>(shape.elements.size()));
-}
-
 double reach_of(const Shape& shape) {
     Bounds box;
     for (const Element& e : shape.elements) {

@@ -6,6 +6,7 @@
 
 #include "curves/match.h"
 #include "curves/match_index.h"
+#include "curves/moments.h"
 #include "curves/shape.h"
 
 namespace filigree::curves {
@@ -21,9 +22,7 @@ struct Candidates {
 Candidates partial_embeddings(const Shape& left, const MatchIndex& design, const MatchOptions& options,
                               std::optional<Vec> near);
 
-// The centroid of a shape, as that of a match: the mean of the points half way along its elements.
-Vec centroid_of(const Shape& shape);
-// How far the shape reaches from there.
+// How far a shape reaches from its middle.
 double reach_of(const Shape& shape);
 
 }  // namespace filigree::curves

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "curves/curve_test_shapes.h"
+#include "curves/moments.h"
 #include "curves/detect.h"
 #include "curves/test_shapes.h"
 
@@ -14,11 +15,9 @@ using test_shapes::moved;
 using test_shapes::petal;
 using test_shapes::shape_of;
 
-MatchIndex index_of(const Shape& design) { return MatchIndex(design); }
-
 Explanation explanation_of(const Shape& left, const Shape& design, const MatchOptions& options = {},
                            std::optional<Vec> near = std::nullopt) {
-    return explain(left, index_of(design), options, near);
+    return explain(left, MatchIndex(design, options.tolerance), options, near);
 }
 
 // The design without `share` of the length of one element's parameter at its end.
@@ -161,9 +160,10 @@ TEST(Explain, APlaceChoosesAmongEmbeddings) {
     for (const Element& e : shortened(moved(petal(), elsewhere), 1, 0.3).elements) elements.push_back(e);
     const Shape both = shape_of(elements);
     const auto centroid_at = [&](std::optional<Vec> near) { return explanation_of(petal(), both, {}, near).centroid; };
-    EXPECT_LT(length(centroid_at(std::nullopt) - apply(somewhere, {0, 0})), 1);
-    EXPECT_LT(length(centroid_at(apply(somewhere, {0, 0})) - apply(somewhere, {0, 0})), 1);
-    EXPECT_LT(length(centroid_at(apply(elsewhere, {0, 0})) - apply(elsewhere, {0, 0})), 1);
+    const Vec here = apply(somewhere, centroid_of(petal())), there = apply(elsewhere, centroid_of(petal()));
+    EXPECT_LT(length(centroid_at(std::nullopt) - here), 1);
+    EXPECT_LT(length(centroid_at(here) - here), 1);
+    EXPECT_LT(length(centroid_at(there) - there), 1);
 }
 
 TEST(Explain, WhatTheDesignDoesNotHaveIsSaid) {

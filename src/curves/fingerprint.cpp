@@ -7,52 +7,10 @@
 #include "curves/algebra.h"
 #include "curves/detect.h"
 #include "curves/maximal.h"
+#include "curves/moments.h"
 
 namespace filigree::curves {
 namespace {
-
-// Of the length along a shape's curves; of a shape that has none, of its points, each counting one.
-struct Moments {
-    double length = 0;
-    Vec first;                      // the integral of the place,
-    double xx = 0, xy = 0, yy = 0;  // and of its products
-
-    void add(Vec p, double weight) {
-        length += weight;
-        first = first + p * weight;
-        xx += p.x * p.x * weight;
-        xy += p.x * p.y * weight;
-        yy += p.y * p.y * weight;
-    }
-};
-
-Moments moments_of(const Shape& shape) {
-    // Gauss's rule of five points on eight parts.
-    constexpr int parts = 8;
-    constexpr std::array<double, 5> places = {0, -0.5384693101056831, 0.5384693101056831, -0.9061798459386640,
-                                              0.9061798459386640};
-    constexpr std::array<double, 5> weights = {0.5688888888888889, 0.4786286704993665, 0.4786286704993665,
-                                               0.2369268850561891, 0.2369268850561891};
-    const bool has_curves = std::any_of(shape.elements.begin(), shape.elements.end(),
-                                        [](const Element& e) { return e.kind != ElementKind::point; });
-    Moments moments;
-    for (const Element& e : shape.elements) {
-        if (e.kind == ElementKind::point) {
-            if (!has_curves) moments.add(e.at[0], 1);
-            continue;
-        }
-        const Interval on = interval_of(e);
-        const double half = 0.5 * (on.to - on.from) / parts;
-        for (int part = 0; part < parts; ++part) {
-            const double middle = on.from + half * (2 * part + 1);
-            for (std::size_t i = 0; i < places.size(); ++i) {
-                const double t = middle + half * places[i];
-                moments.add(point_at(e, t), weights[i] * half * length(velocity_at(e, t)));
-            }
-        }
-    }
-    return moments;
-}
 
 std::uint64_t kinds_of(const Shape& shape) {
     std::map<std::pair<ElementKind, std::uint32_t>, std::uint64_t> counts;

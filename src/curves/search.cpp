@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "curves/moments.h"
 #include "curves/seats.h"
 
 namespace filigree::curves {
@@ -23,8 +24,7 @@ Search::Search(const Shape& left, const MatchIndex& design, const MatchOptions& 
     if (!anchors_.empty()) {
         widest_reach_ = *std::max_element(anchors_[0].reach.begin(), anchors_[0].reach.end());
     }
-    const double count = static_cast<double>(left.elements.size());
-    for (const Vec middle : embedding_.middles()) centroid_ = centroid_ + middle * (1 / count);
+    centroid_ = centroid_of(left);
 }
 
 bool Search::goes_on() {

@@ -347,9 +347,11 @@ private:
                         "unless" + gap() + "box(0, 0, 3, 3)", "when" + gap() + expression(1)});
     }
     void shape_statement(RandomDocument& into) {
-        switch (below(10)) {
+        switch (below(11)) {
             case 0:
                 return add(into, "start" + gap() + tag() + blank() + "=" + blank() + shape(3));
+            case 10:
+                return add(into, "back" + gap() + "to" + gap() + pick({"first", "start"}));
             case 1:
                 return add(into, "let" + gap() + name() + blank() + "=" + blank() + shape(3));
             case 2:
@@ -359,7 +361,7 @@ private:
                 return add(into, "rules" + gap() + "from" + blank() + text());
             case 4:
             case 5:
-                return add(into, "apply" + gap() + rule_name() +
+                return add(into, "apply" + gap() + (chance(3) ? "first" + blank() + "=" + blank() : "") + rule_name() +
                                      clauses({"angle" + gap() + expression(1), "mirrored"}) + gap() + "at" + gap() +
                                      expression(1) +
                                      clauses({"scale" + gap() + expression(1), "orbit"}));
