@@ -111,6 +111,7 @@ public:
             }
             case ChoiceDomain::Kind::alternatives:
             case ChoiceDomain::Kind::fixed:
+            case ChoiceDomain::Kind::worded:
                 break;
         }
         const Value& value = domain.alternatives[random_.index(domain.alternatives.size())];

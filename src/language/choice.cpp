@@ -134,6 +134,7 @@ double draw_from(const ChoiceDomain& domain, std::uint64_t seed, Key key, std::s
         case ChoiceDomain::Kind::alternatives:
             return static_cast<double>(race(seed, key, name, candidate_keys(domain.alternatives), domain.weights));
         case ChoiceDomain::Kind::fixed:
+        case ChoiceDomain::Kind::worded:
             break;
     }
     return 0;
@@ -154,6 +155,7 @@ double middle_of(const ChoiceDomain& domain) {
             return static_cast<double>(heaviest - domain.weights.begin());
         }
         case ChoiceDomain::Kind::fixed:
+        case ChoiceDomain::Kind::worded:
             break;
     }
     return 0;

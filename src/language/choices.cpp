@@ -27,9 +27,8 @@ std::string_view name_of(ChoiceSource source) {
 Value value_of(const Choices& choices, std::size_t row) {
     const ChoiceDomain& domain = choices.domain_table[choices.domains[row]];
     const double value = choices.values[row];
-    if (domain.kind == ChoiceDomain::Kind::alternatives || domain.kind == ChoiceDomain::Kind::fixed) {
-        return domain.alternatives[static_cast<std::size_t>(value)];
-    }
+    const bool is_number = domain.kind == ChoiceDomain::Kind::range || domain.kind == ChoiceDomain::Kind::normal;
+    if (!is_number) return domain.alternatives[static_cast<std::size_t>(value)];
     Quantity quantity = domain.dimension;
     quantity.value = value;
     return {quantity, {}};
@@ -80,6 +79,8 @@ std::string domain_text(const ChoiceDomain& domain) {
         }
         case ChoiceDomain::Kind::fixed:
             return text_with_unit(domain.alternatives.front());
+        case ChoiceDomain::Kind::worded:
+            return plain_text(domain.alternatives.front());
     }
     return {};
 }

@@ -41,6 +41,7 @@ struct ChoiceDomain {
         normal,        // normal(mean, deviation), in low..high where they are finite
         alternatives,  // one of some values, with weights
         fixed,         // no choice any more: a preset has given the value
+        worded,        // whatever an engine draws in its own way: `alternatives` are its domain in words, and the value
     };
     Kind kind = Kind::range;
     bool whole = false;
@@ -48,7 +49,7 @@ struct ChoiceDomain {
     // The ends of a whole range are whole; those of a normal are as written, infinite where it has no range.
     double low = 0, high = 0;
     double mean = 0, deviation = 0;
-    std::vector<Value> alternatives = {};  // for `alternatives` and `fixed`: the value is an index into them
+    std::vector<Value> alternatives = {};  // for all but `range` and `normal`: the value is an index into them
     std::vector<double> weights = {};      // of the alternatives
 
     bool operator==(const ChoiceDomain&) const = default;

@@ -137,7 +137,8 @@ private:
         if (!found) return std::nullopt;
         if (*found == nullptr) return kept_image();
         const Rule& target = **found;
-        const std::optional<std::size_t> which = match_.draw_successor(target, index, names);
+        const std::optional<std::size_t> which =
+            match_.draw_successor(target, index, names, RuleMatcher::RuleOf::target);
         if (!which) return std::nullopt;
         if (*which == target.successors.size()) return kept_image();
         const Successor& successor = target.successors[*which];
@@ -241,15 +242,19 @@ private:
     }
 
     // The word of a system after all its iterations, as symbols of the system that puts it.
-    std::optional<std::uint32_t> grown(std::uint32_t system, const SymbolEntry& entry, std::uint64_t bits) {
+    std::optional<std::uint32_t> grown(std::uint32_t system, const SymbolEntry& entry, std::size_t index) {
         if (options_.nested >= most_nested) {
             fail(error("rewriting.endless-subsystem", "a subsystem puts itself, without an end"));
             return std::nullopt;
         }
         DeriveOptions options = options_;
         ++options.nested;
-        options.seed = fold(options_.seed, bits);
-        options.root = Key{bits};
+        options.choices = derivation_.choices;
+        // Beside the keys of the letters that are put in the symbol's place.
+        options.root = child(match_.key_at(index), "system");
+        if (derivation_.choices && derivation_.choices->needs_spots()) {
+            options.spot = derivation_.choices->spots().below(match_.spot_at(index), "system");
+        }
         options.around = derivation_.alphabet.gaits()[entry.gait];
         const Result<Derivation> inner = derive_system(grammar_, options, system, job_);
         if (!inner) {
@@ -314,7 +319,7 @@ private:
         if (entry.role == Role::subsystem) {
             const std::uint32_t system = *find_system(grammar_, entry.letter);
             if (grammar_.systems[system].grows) return begun(system, symbol);
-            return grown(system, entry, match_.bits_at(index, 0, index, 0));
+            return grown(system, entry, index);
         }
         for (const Rule* rule : candidates_[symbol]) {
             const std::optional<Verdict> verdict = match_.verdict_of(*rule, {place, index});
@@ -325,7 +330,10 @@ private:
             if (!which) return std::nullopt;
             if (*which == rule->successors.size()) return kept_image();
             if (!assign(*rule, names)) return std::nullopt;
-            return image_of(rule->successors[*which], home_of(entry), index, names);
+            const std::optional<std::uint32_t> image = image_of(rule->successors[*which], home_of(entry), index, names);
+            const bool stays = image && plan_.images[*image].is_kept;
+            if (stays && derivation_.choices) ++derivation_.chosen[match_.key_at(index).value];
+            return image;
         }
         return kept_image();
     }
@@ -355,22 +363,12 @@ private:
             return image_of_letters(known->second, system.roles, home_of(entry));
         }
         const std::uint64_t ordinal = drawn_[{entry.scope, entry.letter}]++;
-        std::uint64_t draw = 0;
-        const auto whole = [&](std::uint64_t count) {
-            return to_whole(match_.bits_at(index, entry.letter, ordinal, draw++), static_cast<std::uint32_t>(count));
-        };
-        const std::uint64_t length = macro->low + whole(std::uint64_t{macro->high} - macro->low + 1);
-        std::u32string letters;
-        const auto letter = [&] { return macro->letters[whole(macro->letters.size())]; };
-        if (macro->is_unique) {
-            letters.assign(length, letter());
-        } else {
-            while (letters.size() < length) letters += letter();
-        }
+        const std::optional<std::u32string> letters = match_.draw_letters(*macro, index, ordinal);
+        if (!letters) return std::nullopt;
         if (known == derivation_.recalled.end() || system.recalls_last) {
-            derivation_.recalled[{entry.scope, entry.letter}] = letters;
+            derivation_.recalled[{entry.scope, entry.letter}] = *letters;
         }
-        return image_of_letters(letters, system.roles, home_of(entry));
+        return image_of_letters(*letters, system.roles, home_of(entry));
     }
 
     Derivation& derivation_;

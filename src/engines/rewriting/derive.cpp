@@ -19,7 +19,9 @@ void drop_leading_freezes(std::vector<Symbol>& symbols) {
 std::optional<Diagnostic> too_large(const Measured& measured, const Word& like, std::uint32_t iteration,
                                     const Limits& limits) {
     const std::uint64_t symbols = measured.symbols;
-    const std::uint64_t each = 1 + (like.keys.empty() ? 0 : 8) + (like.ages.empty() ? 0 : 4);
+    // A spot stands in the word, and among all spots.
+    const std::uint64_t each =
+        1 + (like.keys.empty() ? 0 : 8) + (like.ages.empty() ? 0 : 4) + (like.spots.empty() ? 0 : 4 + 16);
     const std::string of_iteration = "iteration " + std::to_string(iteration) + " would make a word of ";
     const std::string count = symbols >= too_many ? "too many to count" : std::to_string(symbols);
     if (symbols > limits.elements) {
@@ -63,6 +65,30 @@ private:
     bool is_behind_run_ = false;
 };
 
+FactSet all_facts_asked(const Grammar& grammar, const WordChoices* choices) {
+    FactSet asked = facts_asked(grammar);
+    if (choices == nullptr) return asked;
+    const FactSet by_presets = choices->facts_asked();
+    for (std::size_t f = 0; f < asked.size(); ++f) asked[f] = asked[f] || by_presets[f];
+    return asked;
+}
+
+// What stays keeps its key and its spot, all else stands below what has put it.
+void set_spots(const Word& from, const std::vector<std::uint32_t>& parents, const Alphabet& alphabet, Spots& spots,
+               Word& to) {
+    to.spots.reserve(to.keys.size());
+    Siblings siblings(spots);
+    std::size_t index = 0;
+    for (const Symbol symbol : to.symbols) {
+        if (symbol == Alphabet::freeze) continue;
+        const std::uint32_t parent = parents[index];
+        if (index == 0 || parents[index - 1] != parent) siblings.begin(from.spots[parent]);
+        const bool stays = to.keys[index] == from.keys[parent];
+        to.spots.push_back(stays ? from.spots[parent] : siblings.next(alphabet[symbol].letter));
+        ++index;
+    }
+}
+
 }  // namespace
 
 std::optional<std::vector<Symbol>> symbols_of(std::u32string_view letters, const Roles& roles, Home home,
@@ -92,10 +118,14 @@ void begin_columns(Derivation& derivation, const Grammar& grammar, const DeriveO
     Word& word = derivation.word;
     const bool with_keys = word.keys.empty() && draws(grammar) && grammar.draws == DrawMode::lineage;
     const bool with_ages = word.ages.empty() && (options.with_ages || has(derivation.asked, Fact::age));
+    const bool with_spots = with_keys && derivation.choices && derivation.choices->needs_spots();
+    std::optional<Siblings> siblings;
+    if (with_spots) siblings.emplace(derivation.choices->spots()).begin(options.spot);
     std::uint64_t index = 0;
     for (const Symbol symbol : word.symbols) {
         if (symbol == Alphabet::freeze) continue;
         if (with_keys) word.keys.push_back(fold(options.root.value, index));
+        if (with_spots) word.spots.push_back(siblings->next(derivation.alphabet[symbol].letter));
         if (with_ages) word.ages.push_back(1);
         ++index;
     }
@@ -104,7 +134,8 @@ void begin_columns(Derivation& derivation, const Grammar& grammar, const DeriveO
 Result<Derivation> begin(const Grammar& grammar, const DeriveOptions& options, std::uint32_t which) {
     const System& system = grammar.systems[which];
     Derivation derivation;
-    derivation.asked = facts_asked(grammar);
+    derivation.choices = options.choices;
+    derivation.asked = all_facts_asked(grammar, options.choices.get());
     derivation.scopes.push_back({which, 0});
     derivation.registers = grammar.registers;
     Scope names;
@@ -135,7 +166,7 @@ Result<Derivation> derive_system(const Grammar& grammar, const DeriveOptions& op
 }
 
 void go_on_with(Derivation& derivation, const Grammar& grammar, const DeriveOptions& options) {
-    derivation.asked = facts_asked(grammar);
+    derivation.asked = all_facts_asked(grammar, derivation.choices.get());
     std::vector<Register> registers = grammar.registers;
     for (Register& known : registers) {
         if (const Register* before = find_named(derivation.registers, known.name)) known.value = before->value;
@@ -166,6 +197,9 @@ std::optional<Diagnostic> step(Derivation& derivation, const Grammar& grammar, c
     Word made = rewrite(rewriting, measured, grammar.ages);
     drop_leading_freezes(made.symbols);
     if (parents != nullptr) *parents = parents_of(rewriting);
+    if (!next.word.spots.empty()) {
+        set_spots(next.word, parents_of(rewriting), next.alphabet, next.choices->spots(), made);
+    }
     next.word = std::move(made);
     derivation = std::move(next);
     return std::nullopt;

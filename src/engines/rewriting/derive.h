@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,6 +24,7 @@
 #include "engines/rewriting/grammar.h"
 #include "engines/rewriting/symbol_facts.h"
 #include "engines/rewriting/word.h"
+#include "engines/rewriting/word_choices.h"
 #include "language/evaluate.h"
 #include "plane/point.h"
 
@@ -40,8 +42,10 @@ struct DeriveOptions {
     // Where the symbols of a word stand, which lookups ask: symbol_positions (turtle.h) under the document's settings;
     // empty: under none.
     std::function<Result<std::vector<Vec>>(const Derivation&)> positions = {};
-    std::uint32_t nested = 0;  // subsystems around this derivation
-    Gait around = {};          // of the symbol in whose place this word will stand
+    std::shared_ptr<WordChoices> choices = {};  // of the derivation that is begun
+    Spot spot = Spots::root;                    // below which this derivation stands
+    std::uint32_t nested = 0;                   // subsystems around this derivation
+    Gait around = {};                           // of the symbol in whose place this word will stand
 };
 
 // A derivation under way, as plain data: a copy goes on by itself.
@@ -56,7 +60,10 @@ struct Derivation {
         std::uint64_t left = 0;  // iterations for which it still serves
     };
 
-    FactSet asked{};  // what the grammar asks of symbols
+    // By what choices are made, where there are presets, recorded choices, or some to be recorded; null: they are
+    // drawn.
+    std::shared_ptr<WordChoices> choices;
+    FactSet asked{};  // what the grammar, and presets, ask of symbols
     Alphabet alphabet;
     std::vector<Scope> scopes;  // by SymbolEntry::scope; [0] is the outermost system
     Word word;
@@ -64,6 +71,7 @@ struct Derivation {
     std::vector<Register> registers;
     std::map<std::pair<std::uint32_t, char32_t>, std::u32string> recalled;  // by scope and macro
     std::map<std::pair<std::uint32_t, char32_t>, Row> rows;                 // by scope and letter
+    std::map<std::uint64_t, std::uint32_t> chosen;  // how often symbols have chosen and stayed; by key
 };
 
 // The axiom, of the document's own system or of another.

@@ -20,9 +20,7 @@ Result<std::vector<ChunkPair>> put_pairs(const std::vector<WordEdit::Pair>& pair
 }
 
 Diagnostics EditArguments::evaluate_common(std::uint64_t most) {
-    StepChoices choices;
-    choices.seed.value = seed_;
-    Result<Arguments> arguments = evaluate_arguments(edit_.call, document_, names_, choices, key_, {});
+    Result<Arguments> arguments = evaluate_arguments(edit_.call, document_, names_, choices_, key_, {});
     if (!arguments) return std::move(arguments).diagnostics();
     common_ = std::move(*arguments);
     const std::vector<ParameterDescription>& parameters = edit_.call.description->parameters;
@@ -84,7 +82,13 @@ std::optional<Value> EditArguments::value_at(std::string_view parameter, std::ui
     Evaluation at = edit_.call.expected[by_token->parameter];
     at.document = &document_;
     at.scope = &facts.scope;
-    at.site = {seed_, child(key_, token), std::string(parameter)};
+    std::uint64_t seed = choices_.seed.value;
+    if (!choices_.accepted.empty()) {
+        seed = seed_of_parameter(*choices_.presets, choices_.accepted, parameter, choices_.seed);
+    }
+    at.site = {seed, child(key_, token), std::string(parameter)};
+    const ChoiceMaking making{choices_.is_random, ChoiceSource::drawn, choices_.replay, choices_.record, {}};
+    at.choices = &making;
     const SourceSpan span = by_token->expression->span;
     Result<Value> value = evaluate(*by_token->expression, at);
     if (value) value = converted(description, *value, document_, span);

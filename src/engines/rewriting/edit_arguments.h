@@ -18,9 +18,10 @@ Result<std::vector<ChunkPair>> put_pairs(const std::vector<WordEdit::Pair>& pair
 
 class EditArguments {
 public:
-    // `names`: what is known of the word. `seed` and `key` address the choices. All must outlive this.
-    EditArguments(const WordEdit& edit, const Document& document, const Scope& names, std::uint64_t seed, Key key)
-        : edit_(edit), document_(document), names_(names), seed_(seed), key_(key) {}
+    // `names`: what is known of the word. `key` addresses the choices. All must outlive this.
+    EditArguments(const WordEdit& edit, const Document& document, const Scope& names, const StepChoices& choices,
+                  Key key)
+        : edit_(edit), document_(document), names_(names), choices_(choices), key_(key) {}
 
     // Evaluates what is evaluated once, texts with their repeats, at most `most` letters each. What is wrong, if
     // anything is.
@@ -56,7 +57,7 @@ private:
     const WordEdit& edit_;
     const Document& document_;
     const Scope& names_;
-    std::uint64_t seed_;
+    const StepChoices& choices_;
     Key key_;
     Arguments common_;
     std::vector<std::u32string> letters_;               // of parameters that are texts

@@ -38,11 +38,21 @@ public:
           other_(other),
           job_(job),
           names_(names_of_word(derivation.registers, derivation.iteration, options.globals)),
-          key_(child(Key{fold(options.root.value, edit.key.value)}, derivation.iteration)) {}
+          key_(child(Key{fold(options.root.value, edit.key.value)}, derivation.iteration)),
+          segment_(segment_of(grammar, edit)) {}
 
     Result<EditOutput> run() const {
         const std::u32string word = letters_of(derivation_.word, derivation_.alphabet);
-        EditArguments arguments(edit_, *options_.document, names_, options_.seed, key_);
+        StepChoices choices;
+        choices.seed.value = options_.seed;
+        Spot spot = Spots::root;
+        if (derivation_.choices) {
+            if (derivation_.choices->needs_spots()) spot = spot_below(options_.spot);
+            Result<StepChoices> asked = derivation_.choices->of_edit(spot, names_);
+            if (!asked) return asked.diagnostics();
+            choices = std::move(*asked);
+        }
+        EditArguments arguments(edit_, *options_.document, names_, choices, key_);
         if (Diagnostics problems = arguments.evaluate_common(most()); has_errors(problems)) return problems;
         const Result<std::vector<ChunkPair>> pairs = put_pairs(edit_.pairs, *options_.document, names_, most());
         if (!pairs) return pairs.diagnostics();
@@ -55,11 +65,18 @@ public:
         std::vector<ChunkPair> productions;
         if (edit_.op->pairs == EditOperator::Pairs::chunks && edit_.pairs.empty())
             productions = productions_of(grammar_, most());
-        const auto bits = [this](std::uint32_t token, MutationDraw draw) {
-            return random_bits(options_.seed, child(key_, token), "edit", static_cast<std::uint64_t>(draw));
+        // All chance inside an edit hangs on one choice.
+        std::optional<Result<std::uint32_t>> scatter;
+        const auto bits = [&](std::uint32_t token, MutationDraw draw) {
+            if (!scatter) scatter = draw_scatter(choices, key_, names_);
+            const std::uint64_t seed = *scatter ? **scatter : 0;
+            return random_bits(seed, child(key_, token), "edit", static_cast<std::uint64_t>(draw));
         };
         EditInput input{word, derivation_.word.ages, other, *pairs, productions, arguments, bits, most()};
-        return edit_.op->run(input);
+        Result<EditOutput> output = edit_.op->run(input);
+        if (derivation_.choices) derivation_.choices->take_record(spot);
+        if (scatter && !*scatter) return scatter->diagnostics();
+        return output;
     }
 
     // The word with its columns, in which the new symbols get theirs; none where there are too many symbols.
@@ -73,6 +90,8 @@ public:
         to.symbols.reserve(output.word.size());
         std::uint64_t ancestor = options_.root.value;
         std::uint64_t children = 0;
+        Spot ancestor_spot = options_.spot;
+        std::optional<Siblings> siblings;  // behind one ancestor
         bool is_behind_run = false;
         const Roles& roles = grammar_.systems[derivation_.scopes[0].system].roles;
         for (std::size_t at = 0; at < output.word.size(); ++at) {
@@ -89,7 +108,9 @@ public:
                 to.symbols.push_back(symbol);
                 if (!from.keys.empty()) to.keys.push_back(from.keys[index]);
                 if (!from.ages.empty()) to.ages.push_back(from.ages[index]);
+                if (!from.spots.empty()) to.spots.push_back(from.spots[index]);
                 ancestor = from.keys.empty() ? 0 : from.keys[index];
+                ancestor_spot = from.spots.empty() ? Spots::root : from.spots[index];
                 children = 0;
                 role = alphabet[symbol].role;
                 if (role == Role::follower) to.origins.push_back(from.origins[followers[place]]);
@@ -99,6 +120,10 @@ public:
                 if (!symbol) return std::nullopt;
                 to.symbols.push_back(*symbol);
                 if (role == Role::follower) to.origins.push_back(1);
+                if (!from.spots.empty()) {
+                    if (children == 0) siblings.emplace(derivation_.choices->spots()).begin(spot_below(ancestor_spot));
+                    to.spots.push_back(siblings->next(letter));
+                }
                 if (!from.keys.empty()) to.keys.push_back(fold(fold(ancestor, key_.value), children++));
                 if (!from.ages.empty()) to.ages.push_back(1);
             }
@@ -108,11 +133,26 @@ public:
     }
 
 private:
+    // Its name, with #2 where it is the second of this name.
+    static std::string segment_of(const Grammar& grammar, const WordEdit& edit) {
+        std::uint64_t number = 1;
+        for (const WordEdit& known : grammar.edits) {
+            if (&known == &edit) break;
+            number += known.op == edit.op ? 1 : 0;
+        }
+        const std::string name(edit.op->description.name);
+        return number == 1 ? name : name + "#" + std::to_string(number);
+    }
+    // An edit that is made again and again has a place of its own behind each iteration.
+    Spot spot_below(Spot above) const {
+        return derivation_.choices->spots().below(above, segment_, edit_.is_once ? 0 : derivation_.iteration);
+    }
+
     // In both limits, whatever stands beside the symbols.
     std::uint64_t most() const {
         const Word& word = derivation_.word;
-        const std::uint64_t each =
-            1 + (word.origins.empty() ? 0 : 4) + (word.keys.empty() ? 0 : 8) + (word.ages.empty() ? 0 : 4);
+        const std::uint64_t each = 1 + (word.origins.empty() ? 0 : 4) + (word.keys.empty() ? 0 : 8) +
+                                   (word.ages.empty() ? 0 : 4) + (word.spots.empty() ? 0 : 4 + 16);
         return std::min(options_.limits.elements, options_.limits.memory_bytes / each);
     }
 
@@ -147,6 +187,10 @@ private:
         DeriveOptions options = options_;
         ++options.nested;
         options.root = key_;
+        options.choices = derivation_.choices;
+        if (options.choices && options.choices->needs_spots()) {
+            options.spot = options.choices->spots().below(spot_below(options_.spot), "system");
+        }
         const Result<Derivation> inner = derive_system(grammar_, options, system, job_);
         if (!inner) return inner.diagnostics();
         return letters_of(inner->word, inner->alphabet);
@@ -160,6 +204,7 @@ private:
     const Job& job_;
     const Scope names_;
     const Key key_;
+    const std::string segment_;  // of paths
 };
 
 bool acts(const WordEdit& edit, EditTime time, std::uint32_t iteration) {

@@ -43,6 +43,7 @@ struct Successor {
     std::vector<ExpressionPtr> indexes;  // and where in it, from 0
     Lookup lookup;
     ExpressionPtr weight;  // null: 1
+    std::string name;      // what presets call it: its text without blanks, with #2 where there is another like it
     SourceSpan span;
 };
 

@@ -245,6 +245,7 @@ private:
         const std::uint32_t count = chance(Feature::alternatives, 60) ? 2 + random_.below(2) : 1;
         for (std::uint32_t k = 0; k < count; ++k) {
             rule.successors.push_back(successor(which, letter));
+            rule.successors.back().name = std::to_string(rule.successors.size());
             if (count > 1 && chance(60)) rule.successors.back().weight = expression(weight());
         }
         return rule;

@@ -163,7 +163,8 @@ private:
 
     // On a word without symbols, most of what is wrong with texts, pairs and rates shows.
     void try_out() {
-        EditArguments arguments(edit_, document_, names_, 0, {});
+        const StepChoices choices;
+        EditArguments arguments(edit_, document_, names_, choices, {});
         Diagnostics problems = arguments.evaluate_common(most_edited_symbols);
         const Result<std::vector<ChunkPair>> pairs = put_pairs(edit_.pairs, document_, names_, most_edited_symbols);
         append(problems, pairs.diagnostics());

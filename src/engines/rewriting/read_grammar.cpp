@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "engines/rewriting/pattern.h"
@@ -510,6 +511,7 @@ private:
         }
         for (const Name* context : {&said.left, &said.right}) check_brackets(*context);
         for (const WordSuccessor& successor : said.successors) read_successor(successor, rule, frees_braces);
+        number_like_ones(rule.successors);
         for (const WordAssignment& assignment : said.assignments) {
             if (find_named(grammar_.registers, assignment.name.text) != nullptr) {
                 rule.assignments.push_back({assignment.name.text, assignment.value});
@@ -568,7 +570,24 @@ private:
         } else {
             successor.pattern = pattern_of(*said.text, frees_braces);
         }
+        successor.name = name_of(said);
         rule.successors.push_back(std::move(successor));
+    }
+    static void number_like_ones(std::vector<Successor>& successors) {
+        std::map<std::string, int> met;
+        for (Successor& successor : successors) {
+            const int number = ++met[successor.name];
+            if (number > 1) successor.name += "#" + std::to_string(number);
+        }
+    }
+    std::string name_of(const WordSuccessor& said) const {
+        if (said.text) return to_utf8(letters_of(said.text->text));
+        if (said.target) return "goto " + said.target->text + "@" + std::to_string(said.iteration);
+        if (said.lookup) return (said.lookup->is_image ? "image " : "data ") + said.lookup->map.text;
+        // As it is written, up to the bracket behind the last index.
+        const std::string& source = document_.sources[said.span.file].text;
+        const std::size_t end = source.find(']', said.indexes.back()->span.end);
+        return source.substr(said.span.begin, end + 1 - said.span.begin);
     }
 
     const Settings& settings_;

@@ -58,6 +58,8 @@ struct State {
     };
 
     std::uint64_t seed = 0;
+    Key root;
+    bool is_inner = false;    // of a subsystem that is put at once
     std::size_t most = 2000;  // units
     std::uint32_t system = 0;
     Gait around;  // of the unit in whose place the word will stand
@@ -178,6 +180,7 @@ Outcome step(State& state, const Grammar& grammar);
 // The axiom of a system.
 inline Outcome begin(State& state, const Grammar& grammar, std::uint64_t seed, Key root, std::uint32_t system = 0) {
     state.seed = seed;
+    state.root = root;
     state.system = system;
     state.registers = grammar.registers;
     const auto text = written_out(grammar.systems[system].axiom.parts, Asking(state.registers), state.most);
@@ -426,7 +429,8 @@ private:
     }
     std::uint64_t bits_at(std::size_t p, std::uint64_t stream, std::uint64_t ordinal, std::uint64_t draw) const {
         if (grammar_.draws == DrawMode::lineage) return random_bits(state_.seed, Key{old_[p].key}, stream, draw);
-        return fold(fold(fold(fold(state_.seed, stream), now_), ordinal), draw);
+        const std::uint64_t seed = state_.is_inner ? fold(state_.seed, state_.root.value) : state_.seed;
+        return fold(fold(fold(fold(seed, stream), now_), ordinal), draw);
     }
     // Null where no weight is above zero.
     const Successor* drawn_from(const Rule& rule, std::size_t p) {
@@ -701,11 +705,13 @@ private:
             if (!axiom) return {};
             return replaced(p, units_of(*axiom, grammar_, {which, now_}, gait_of(inner, unit.gait)));
         }
-        const std::uint64_t bits = bits_at(p, 0, p, 0);
+        const bool has_key = grammar_.draws == DrawMode::lineage;
+        const Key own = has_key ? Key{unit.key} : child(child(state_.root, now_), p);
         State state;
+        state.is_inner = true;
         state.most = state_.most;
         state.around = unit.gait;
-        fail(begin(state, grammar_, fold(state_.seed, bits), Key{bits}, which));
+        fail(begin(state, grammar_, state_.seed, child(own, "system"), which));
         while (outcome_ == Outcome::fine && state.iteration < inner.iterations) fail(step(state, grammar_));
         Units children = units_of(text_of(state.word), grammar_, unit.instance, {});
         std::size_t of = 0;

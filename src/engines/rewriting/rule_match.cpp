@@ -277,11 +277,19 @@ const SymbolFacts& RuleMatcher::facts() {
 
 // --- draws ---
 
-std::uint64_t RuleMatcher::bits_at(std::size_t index, std::uint64_t stream, std::uint64_t ordinal,
+Key RuleMatcher::key_at(std::size_t index) const {
+    const Word& word = derivation_.word;
+    if (!word.keys.empty()) return Key{word.keys[index]};
+    return child(child(options_.root, next_iteration()), index);
+}
+
+std::uint64_t RuleMatcher::bits_at(std::uint64_t seed, std::size_t index, std::uint64_t stream, std::uint64_t ordinal,
                                    std::uint64_t draw) const {
     const Word& word = derivation_.word;
-    if (!word.keys.empty()) return random_bits(options_.seed, Key{word.keys[index]}, stream, draw);
-    return fold(fold(fold(fold(options_.seed, stream), next_iteration()), ordinal), draw);
+    if (!word.keys.empty()) return random_bits(seed, Key{word.keys[index]}, stream, draw);
+    // In a subsystem, places are those in its own word.
+    if (options_.nested > 0) seed = fold(seed, options_.root.value);
+    return fold(fold(fold(fold(seed, stream), next_iteration()), ordinal), draw);
 }
 
 std::optional<double> RuleMatcher::weight_of(const Successor& successor, const Scope& names) {
@@ -298,21 +306,58 @@ std::optional<double> RuleMatcher::weight_of(const Successor& successor, const S
     return *weight;
 }
 
-std::optional<std::size_t> RuleMatcher::draw_successor(const Rule& rule, std::size_t index, const Scope& names) {
-    if (rule.successors.size() == 1) return 0;
-    const std::uint64_t bits = bits_at(index, 0, index, 0);
-    std::size_t best = rule.successors.size();
-    double least = INFINITY;
-    for (std::size_t s = 0; s < rule.successors.size(); ++s) {
+std::optional<std::size_t> RuleMatcher::draw_successor(const Rule& rule, std::size_t index, const Scope& names,
+                                                       RuleOf whose) {
+    const std::size_t count = rule.successors.size();
+    if (count == 1) return 0;
+    weights_.resize(count);
+    for (std::size_t s = 0; s < count; ++s) {
         const std::optional<double> weight = weight_of(rule.successors[s], names);
         if (!weight) return std::nullopt;
-        const double time = race_time(fold(bits, s), *weight);
-        if (time < least) {
-            least = time;
-            best = s;
+        weights_[s] = *weight;
+    }
+    const auto bits = [&](std::uint64_t seed) { return bits_at(seed, index, 0, index, 0); };
+    if (!derivation_.choices) return raced(weights_, bits(options_.seed));
+    const Result<std::size_t> chosen =
+        derivation_.choices->successor(rule, weights_, whose == RuleOf::symbol ? "rule" : "target",
+                                       {key_at(index), spot_at(index), times_chosen(index), names,
+                                        [&](std::uint64_t seed, std::uint64_t) { return bits(seed); }});
+    if (chosen) return *chosen;
+    fail(chosen.diagnostics().front());
+    return std::nullopt;
+}
+
+std::optional<std::u32string> RuleMatcher::draw_letters(const Macro& macro, std::size_t index, std::uint64_t ordinal) {
+    const auto bits = [&](std::uint64_t seed, std::uint64_t draw) {
+        return bits_at(seed, index, macro.letter, ordinal, draw);
+    };
+    if (!derivation_.choices) {
+        return drawn_letters(macro, [&](std::uint64_t draw) { return bits(options_.seed, draw); });
+    }
+    Result<std::u32string> chosen =
+        derivation_.choices->letters(macro, {key_at(index), spot_at(index), times_chosen(index), names_, bits});
+    if (chosen) return std::move(*chosen);
+    fail(chosen.diagnostics().front());
+    return std::nullopt;
+}
+
+std::uint32_t RuleMatcher::times_chosen(std::size_t index) const {
+    const auto known = derivation_.chosen.find(key_at(index).value);
+    return known == derivation_.chosen.end() ? 0 : known->second;
+}
+
+Spot RuleMatcher::spot_at(std::size_t index) {
+    if (!derivation_.choices || !derivation_.choices->needs_spots()) return Spots::root;
+    const Word& word = derivation_.word;
+    if (!word.keys.empty()) return word.spots[index];
+    if (spots_.empty()) {
+        Siblings siblings(derivation_.choices->spots());
+        siblings.begin(derivation_.choices->spots().below(options_.spot, "iteration", next_iteration()));
+        for (const Symbol symbol : word.symbols) {
+            if (symbol != Alphabet::freeze) spots_.push_back(siblings.next(derivation_.alphabet[symbol].letter));
         }
     }
-    return best;
+    return spots_[index];
 }
 
 }  // namespace filigree::rewriting

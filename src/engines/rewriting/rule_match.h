@@ -81,11 +81,18 @@ public:
     bool find_positions();
     std::optional<MapValue> value_looked_up(const Lookup& lookup, std::size_t index) const;
 
-    // A symbol's random bits. By lineage: who it is and what for. By position: where it stands and when.
-    std::uint64_t bits_at(std::size_t index, std::uint64_t stream, std::uint64_t ordinal, std::uint64_t draw) const;
+    // A symbol's own key, whatever the seed. By lineage: who it is. By position: where it stands and when.
+    Key key_at(std::size_t index) const;
     std::optional<double> weight_of(const Successor& successor, const Scope& names);
-    // Which of a rule's successors is drawn: the number behind the last where no weight is above zero.
-    std::optional<std::size_t> draw_successor(const Rule& rule, std::size_t index, const Scope& names);
+    // Which of a rule's successors is taken: the number behind the last where none is. The rule may be that of another
+    // symbol, which a jump goes to.
+    enum class RuleOf : std::uint8_t { symbol, target };
+    std::optional<std::size_t> draw_successor(const Rule& rule, std::size_t index, const Scope& names,
+                                              RuleOf whose = RuleOf::symbol);
+    // `ordinal`: of the macro among those of its letter that are drawn in this iteration.
+    std::optional<std::u32string> draw_letters(const Macro& macro, std::size_t index, std::uint64_t ordinal);
+    // Where a symbol stands as paths say; nowhere where nobody asks.
+    Spot spot_at(std::size_t index);
 
 private:
     bool advance(Derivation::Row& row, bool is_new, std::uint32_t scope, std::uint32_t iteration,
@@ -97,6 +104,10 @@ private:
     template <class Value>
     void set(Scope& scope, Fact fact, Value value);
     const SymbolFacts& facts();
+    // Random bits. By lineage: of who a symbol is and what for. By position: of where it stands and when.
+    std::uint64_t bits_at(std::uint64_t seed, std::size_t index, std::uint64_t stream, std::uint64_t ordinal,
+                          std::uint64_t draw) const;
+    std::uint32_t times_chosen(std::size_t index) const;
 
     Derivation& derivation_;
     const Grammar& grammar_;
@@ -108,6 +119,8 @@ private:
     std::unique_ptr<SymbolFacts> facts_;
     std::unique_ptr<Contexts> contexts_;
     std::optional<std::vector<Vec>> positions_;  // of the symbols that are no '='
+    std::vector<double> weights_;                // of successors that race
+    std::vector<Spot> spots_;                    // likewise, where they go by place
 };
 
 }  // namespace filigree::rewriting

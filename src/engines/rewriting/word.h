@@ -18,6 +18,7 @@ struct Word {
     std::vector<std::uint32_t> origins;  // of each ñ: which n it came from, from 1
     std::vector<std::uint64_t> keys;     // whom a symbol descends from: what it draws by
     std::vector<std::uint32_t> ages;     // in the mode of the grammar
+    std::vector<std::uint32_t> spots;    // where a symbol stands as paths say (spots.h): where choices are asked about
 
     std::size_t size() const { return symbols.size(); }
 };
