@@ -70,6 +70,8 @@ Diagnostics not_for_words(const Document& document) {
             refuse("operator", "its rules rewrite symbols", statement);
         if (std::holds_alternative<SymmetryStatement>(statement.node))
             refuse("symmetry", "embed it in a document that has one", statement);
+        if (std::holds_alternative<ApplyStatement>(statement.node))
+            refuse("apply", "what is done by hand is an edit, as in 'once insert(...)'", statement);
     }
     return problems;
 }

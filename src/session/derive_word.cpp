@@ -28,6 +28,26 @@ rewriting::OtherDocument other_documents(const OpenedDocument& opened, const Che
     };
 }
 
+std::uint64_t seed_of(const CheckedDocument& checked, const DocumentSite& site) {
+    return site.is_embedded ? site.host.seed.value : checked.settings->seed;
+}
+
+// Whether it says something of another place than of a name behind `let`.
+bool is_of_word(const Preset& preset) { return preset.path->segments.front().name != "let"; }
+
+// Null where everything is drawn and nobody asks what.
+std::shared_ptr<rewriting::WordChoices> word_choices(const OpenedDocument& opened, const CheckedDocument& checked,
+                                                     const WordOptions& options) {
+    DocumentSite site = options.site;
+    if (site.replay == nullptr) site.replay = checked.replay.get();
+    PresetWalk walk = begin_walk(site, opened.document, checked.settings->globals, checked.settings->seed);
+    rewriting::WordChoiceOptions wanted;
+    wanted.records = options.records_choices;
+    wanted.follows_presets = std::any_of(walk.presets.all.begin(), walk.presets.all.end(), is_of_word);
+    if (!wanted.records && !wanted.follows_presets && walk.replay == nullptr) return nullptr;
+    return std::make_shared<rewriting::WordChoices>(std::move(walk), wanted);
+}
+
 }  // namespace
 
 double now_seconds() {
@@ -37,8 +57,9 @@ double now_seconds() {
 rewriting::DeriveOptions word_options(const OpenedDocument& opened, const CheckedDocument& checked,
                                       const WordOptions& options) {
     rewriting::DeriveOptions derive;
-    derive.seed = checked.settings->seed;
-    derive.root = options.root;
+    derive.seed = seed_of(checked, options.site);
+    derive.root = options.site.root;
+    derive.choices = word_choices(opened, checked, options);
     derive.limits = checked.settings->limits;
     derive.limits.elements = std::min(derive.limits.elements, options.most_elements);
     derive.document = &opened.document;
@@ -64,6 +85,10 @@ Result<rewriting::Derivation> derive_word(const OpenedDocument& opened, const Ch
                                           const WordOptions& wanted, Executor& executor, const Job& job) {
     const rewriting::Grammar& grammar = *checked.words;
     const rewriting::DeriveOptions options = word_options(opened, checked, wanted);
+    const auto finished = [&](rewriting::Derivation derivation, Diagnostics warnings = {}) {
+        if (options.choices) options.choices->stop_recording();
+        return Result<rewriting::Derivation>(std::move(derivation), std::move(warnings));
+    };
     const rewriting::OtherDocument others = other_documents(opened, checked, executor, job);
     Diagnostics warnings;
     const auto edit = [&](rewriting::Derivation& derivation, rewriting::EditTime time) {
@@ -77,7 +102,7 @@ Result<rewriting::Derivation> derive_word(const OpenedDocument& opened, const Ch
         std::optional<Diagnostic> problem =
             rewriting::step_plainly(*derivation, *plain, count, options.limits, executor);
         if (problem) return std::move(*problem);
-        return derivation;
+        return finished(std::move(*derivation));
     }
     for (std::uint64_t i = 0; i < count; ++i) {
         report(job, "derive", static_cast<double>(i) / static_cast<double>(count));
@@ -88,7 +113,7 @@ Result<rewriting::Derivation> derive_word(const OpenedDocument& opened, const Ch
         if (!edit(*derivation, rewriting::EditTime::iteration)) return warnings;
     }
     if (!edit(*derivation, rewriting::EditTime::end)) return warnings;
-    return {std::move(*derivation), std::move(warnings)};
+    return finished(std::move(*derivation), std::move(warnings));
 }
 
 Result<DrawnWord> draw_word(const OpenedDocument& opened, const CheckedDocument& checked, const WordOptions& options,
@@ -97,14 +122,15 @@ Result<DrawnWord> draw_word(const OpenedDocument& opened, const CheckedDocument&
     if (!derivation) return derivation.diagnostics();
     Diagnostics warnings = derivation.diagnostics();
     const double derived = now_seconds();
-    const rewriting::DrawOptions draw{options.root, checked.shapes.get(), {job.cancel_flag, {}}};
+    const rewriting::DrawOptions draw{options.site.root, checked.shapes.get(), {job.cancel_flag, {}}};
     Result<rewriting::Picture> picture =
         rewriting::draw(*derivation, *checked.draw_rules, *checked.settings, opened.document, draw);
     if (!picture) return picture.diagnostics();
     append(warnings, picture.diagnostics());
     ChoiceRecorder recorder;
     recorder.append(checked.settings->definitions);
-    DrawnWord drawn{{std::move(*derivation), std::move(recorder.choices)}, std::move(picture->drawing), derived};
+    WordRun run{std::move(*derivation), std::move(recorder.choices), seed_of(checked, options.site)};
+    DrawnWord drawn{std::move(run), std::move(picture->drawing), derived};
     return {std::move(drawn), std::move(warnings)};
 }
 

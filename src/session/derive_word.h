@@ -15,18 +15,20 @@ namespace filigree {
 
 // What a rewriting document came to.
 struct WordRun {
-    rewriting::Derivation derivation;
-    Choices choices;  // of the document's definitions
+    rewriting::Derivation derivation;  // with the choices of the word, where they were to be recorded
+    Choices choices;                   // of the document's definitions
+    std::uint64_t seed = 0;            // what is drawn from
 };
 
 struct WordOptions {
     std::optional<std::uint64_t> steps;  // iterations; none: as many as the document says
-    Key root;                            // folded into all keys
+    DocumentSite site;
     std::uint64_t most_elements = UINT64_MAX;
-    bool with_ages = false;  // even where nothing in the document asks for them
+    bool with_ages = false;        // even where nothing in the document asks for them
+    bool records_choices = false;  // those of the word
 };
 
-// What rewriting is told of the document; points to it and to `checked`.
+// What rewriting is told of the document; points to it, to `checked` and to what the site points to.
 rewriting::DeriveOptions word_options(const OpenedDocument& opened, const CheckedDocument& checked,
                                       const WordOptions& options = {});
 

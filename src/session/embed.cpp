@@ -119,7 +119,7 @@ private:
                                                           const EmbedRequest& request) {
         SerialExecutor serial;
         WordOptions options;
-        options.root = request.site.root;
+        options.site = request.site;
         options.most_elements = request.element_budget;
         Result<DrawnWord> drawn = draw_word(*document.opened, *checked, options, serial, {job_.cancel_flag, {}});
         if (!drawn) return std::move(drawn).diagnostics();
@@ -128,7 +128,9 @@ private:
         run->checked = std::move(checked);
         run->root = request.site.root;
         run->word = std::move(drawn->run);
-        return contained(std::move(run), drawn->drawing, request);
+        std::vector<std::uint8_t> met;
+        if (const auto& choices = run->word.derivation.choices) met = choices->met();
+        return contained(std::move(run), std::move(met), drawn->drawing, request);
     }
 
     // Likewise a design.
@@ -142,13 +144,15 @@ private:
         run->checked = std::move(checked);
         run->root = request.site.root;
         run->design = std::move(drawn->run);
-        return contained(std::move(run), drawn->drawing, request);
+        std::vector<std::uint8_t> met = run->design.derivation.met;
+        return contained(std::move(run), std::move(met), drawn->drawing, request);
     }
 
     // A drawing that fits into the shape's box; what reaches beyond the shape is cut off.
-    static std::shared_ptr<const Embedded> contained(std::shared_ptr<EmbeddedPart> run, const Drawing& drawing,
-                                                     const EmbedRequest& request) {
+    static std::shared_ptr<const Embedded> contained(std::shared_ptr<EmbeddedPart> run, std::vector<std::uint8_t> met,
+                                                     const Drawing& drawing, const EmbedRequest& request) {
         auto embedded = std::make_shared<Embedded>();
+        embedded->met = std::move(met);
         embedded->elements = drawing.shapes.size();
         run->to_host = canvas_onto(drawing.canvas, request.host, "contain");
         Polygons clip;

@@ -22,6 +22,20 @@ std::string path_of_definition(const Choices& choices, std::size_t row) {
     return "let/" + name.substr(0, name.find('~'));
 }
 
+void list_word(const WordRun& word, const std::string& prefix, const Visit& visit) {
+    const Choices& definitions = word.choices;
+    for (std::size_t row = 0; row < definitions.size(); ++row) {
+        visit({prefix + path_of_definition(definitions, row), definitions.name_table[definitions.names[row]],
+               &definitions, row});
+    }
+    if (!word.derivation.choices) return;
+    const rewriting::WordChoices& choices = *word.derivation.choices;
+    const Choices& made = choices.made();
+    for (std::size_t row = 0; row < made.size(); ++row) {
+        visit({prefix + choices.path_of(choices.spots_of_made()[row]), made.name_table[made.names[row]], &made, row});
+    }
+}
+
 // Walks one tangle and those that grow in it. Its texts are kept from row to row.
 class ChoiceLister {
 public:
@@ -267,10 +281,7 @@ void for_each_choice(const OpenedDocument& opened, const CheckedDocument& checke
                      const std::function<void(const ListedChoice& choice)>& visit) {
     if (run.design) return list_design(run.design->derivation, *checked.design, visit);
     if (!run.word) return ChoiceLister(run.tangle, *checked.grammar, "", visit).list(run.picture, opened);
-    const Choices& choices = run.word->choices;
-    for (std::size_t row = 0; row < choices.size(); ++row) {
-        visit({path_of_definition(choices, row), choices.name_table[choices.names[row]], &choices, row});
-    }
+    list_word(*run.word, "", visit);
 }
 
 void list_choices(const OpenedDocument& opened, const CheckedDocument& checked, const Run& run, const TextSink& sink) {

@@ -4,10 +4,12 @@
 #include <map>
 
 #include "derivation/start_shapes.h"
+#include "engines/rewriting/edit_operators.h"
 #include "language/argument_check.h"
 #include "language/check.h"
 #include "language/style.h"
 #include "language/walk.h"
+#include "session/check_word_preset.h"
 
 namespace filigree {
 namespace {
@@ -35,13 +37,19 @@ private:
         const auto known = roots_.find(&checked);
         if (known != roots_.end()) return known->second;
         std::vector<std::uint32_t> roots;
-        const PathPlace here{&opened, &checked, none, none, nullptr, false};
+        const PathPlace here{&opened, &checked, none, none, nullptr, false, {}};
         const std::uint32_t definitions = add_definitions(opened, here);
         if (checked.grammar) {
             const std::vector<std::uint32_t> tags = add_tags(*checked.grammar, here);
             const std::vector<std::uint32_t> rules = add_rules(opened, checked, here, tags);
             for (const std::uint32_t start : add_starts(opened, *checked.grammar, here, tags)) roots.push_back(start);
             add_applied(opened, *checked.grammar, rules, roots);
+        }
+        if (checked.words) {
+            for (const WordPathPlace& word : add_word_nodes(*checked.words, paths_.graph, roots)) {
+                paths_.places.push_back(here);
+                paths_.places.back().word = word;
+            }
         }
         roots.push_back(definitions);
         return roots_[&checked] = roots;
@@ -209,7 +217,8 @@ public:
             if (const auto* preset = std::get_if<PresetStatement>(&statement.node)) check(*preset);
             if (const auto* keep = std::get_if<KeepStatement>(&statement.node)) possible(keep->path);
             if (const auto* reroll = std::get_if<RerollStatement>(&statement.node)) possible(reroll->path);
-            if (const auto* apply = std::get_if<ApplyStatement>(&statement.node)) check(*apply);
+            const auto* apply = std::get_if<ApplyStatement>(&statement.node);
+            if (apply != nullptr && !checked_.words) check(*apply);  // words have none
         }
         return std::move(diagnostics_);
     }
@@ -257,6 +266,7 @@ private:
         const std::size_t before = diagnostics_.size();
         if (preset.path.parameter.empty() && !check_names_a_value(preset, *found)) return;
         if (preset.path.parameter == "rule") check_rule_names(preset, found->ends);
+        check_word_choice(preset, found->ends);
         for (const std::uint32_t end : found->ends) check_value(preset, end);
         keep_each_once(before);
     }
@@ -279,7 +289,7 @@ private:
         ends.insert(ends.end(), found.shapes_of.begin(), found.shapes_of.end());
         for (const std::uint32_t end : ends) {
             const PathPlace& place = paths_.places[end];
-            if (place.rule == none && place.tag == none && !place.is_style) continue;
+            if (place.rule == none && place.tag == none && !place.is_style && !place.word) continue;
             diagnostics_.push_back(error("preset.no-parameter", "this path names no parameter", preset.path.span,
                                          {"a parameter stands behind a dot, as in " + example(end)}));
             return false;
@@ -297,6 +307,7 @@ private:
         const PathPlace& place = paths_.places[end];
         const std::string& parameter = preset.path.parameter;
         if (parameter == "rule" && place.tag != none) return;  // all of its places together
+        if (place.word && place.word->edit == nullptr && parameter != "is_random") return;  // likewise
         const bool has_shapes = place.rule != none || place.is_style;
         if (varies_by_shape(*preset.value) && (!has_shapes || parameter == "is_random" || parameter == "scatter" ||
                                                ((parameter == "when" || parameter == "weight") && !place.is_style))) {
@@ -327,6 +338,7 @@ private:
         }
         const OperatorDescription* description = place.start;
         if (place.rule != none) description = &place.checked->grammar->rules[place.rule].op->description;
+        if (place.word && place.word->edit != nullptr) description = &place.word->edit->op->description;
         if (description != nullptr) {
             all = description->parameters;
             for (const ParameterDescription& known : description->parameters) {
@@ -436,6 +448,19 @@ private:
             diagnostics_.push_back(error("preset.unknown-rule", "the tag '" + tag + "' has no rule '" + name + "'",
                                          alternative.expression->span, std::move(hints)));
         }
+    }
+
+    // What symbols choose.
+    void check_word_choice(const PresetStatement& preset, const std::vector<std::uint32_t>& ends) {
+        std::vector<WordPathPlace> letters;
+        for (const std::uint32_t end : ends) {
+            const PathPlace& place = paths_.places[end];
+            if (!place.word || place.word->letter == 0 || preset.path.parameter == "is_random") continue;
+            letters.push_back(*place.word);
+        }
+        if (letters.empty()) return;
+        const Scope& globals = checked_.settings->globals;
+        append(diagnostics_, check_word_preset(preset, letters, opened_.document, globals));
     }
 
     void check(const ApplyStatement& apply) {

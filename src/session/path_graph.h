@@ -1,9 +1,12 @@
 // The paths that a document can produce, and the checks of its presets against them.
 #pragma once
 
+#include <optional>
+
 #include "base/diagnostic.h"
 #include "language/possible_paths.h"
 #include "session/check.h"
+#include "session/word_paths.h"
 
 namespace filigree {
 
@@ -15,6 +18,7 @@ struct PathPlace {
     std::uint32_t tag = tangle::none;            // a group: index into its tags
     const OperatorDescription* start = nullptr;  // the shape of a start
     bool is_style = false;
+    std::optional<WordPathPlace> word;  // in a word
 };
 struct DocumentPaths {
     PathGraph graph;

@@ -52,10 +52,14 @@ std::uint64_t nearest_symbol(const TurtleDrawing& turtled, const rewriting::Page
 }
 
 // The rules that put the symbol and those that it descends from, the last first. An edit of the word loses the track.
-void add_ancestors(Picked& picked, const OpenedDocument& opened, const CheckedDocument& checked,
-                   const rewriting::Derivation& derivation, const WordPlace& place, std::uint64_t index) {
+void add_ancestors(Picked& picked, const OpenedDocument& opened, const CheckedDocument& checked, const WordRun& word,
+                   const WordPlace& place, std::uint64_t index) {
     if (!checked.words->edits.empty()) return;
-    const rewriting::DeriveOptions options = word_options(opened, checked, {{}, place.root});
+    const rewriting::Derivation& derivation = word.derivation;
+    rewriting::DeriveOptions options = word_options(opened, checked);
+    options.seed = word.seed;
+    options.root = place.root;
+    options.choices = derivation.choices;
     const Result<rewriting::Explanation> explained =
         rewriting::explain(*checked.words, options, derivation.iteration, index, {});
     if (!explained) return;
@@ -106,7 +110,7 @@ std::optional<Picked> pick_symbol(const OpenedDocument& opened, const CheckedDoc
     picked.tag = rewriting::to_utf8(std::u32string(1, entry.letter));
     picked.key = drawn.key;
     if (!is_line) picked.area = area(polygon_of(picture->drawing, drawn));
-    add_ancestors(picked, opened, checked, derivation, place, index);
+    add_ancestors(picked, opened, checked, word, place, index);
     return picked;
 }
 

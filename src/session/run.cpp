@@ -32,29 +32,48 @@ std::string_view keyword_of(PresetKind kind) {
     return "";
 }
 
-// The document's own presets come first in the tangle's list: those of embedded documents are checked as possible.
-std::vector<UnmatchedPreset> unmatched_presets(const OpenedDocument& opened, const CheckedDocument& checked,
-                                               const Run& run) {
-    const PresetWalk walk = begin_walk({}, opened.document, checked.settings->globals, checked.settings->seed);
+// Those of `presets` that met nothing; `met` has an entry for each.
+std::vector<UnmatchedPreset> unmatched_presets(const Presets& presets, const std::vector<bool>& met) {
     std::vector<UnmatchedPreset> unmatched;
-    for (std::size_t i = 0; i < walk.presets.all.size(); ++i) {
-        const std::vector<std::uint8_t>& derived = run.design ? run.design->derivation.met : run.tangle.met;
-        const bool met = derived[i] != 0 || (i < run.picture.met.size() && run.picture.met[i] != 0);
-        if (met) continue;
-        const Preset& preset = walk.presets.all[i];
+    for (std::size_t i = 0; i < presets.all.size(); ++i) {
+        if (met[i]) continue;
+        const Preset& preset = presets.all[i];
         unmatched.push_back({std::string(keyword_of(preset.kind)), to_text(*preset.path), preset.path->span});
     }
     return unmatched;
 }
 
-void warn_of_unmatched(const OpenedDocument& opened, const CheckedDocument& checked, Run& run) {
-    run.unmatched = unmatched_presets(opened, checked, run);
-    for (const UnmatchedPreset& preset : run.unmatched) {
-        run.diagnostics.push_back(warning(
+// The document's own presets come first in the list: those of embedded documents are checked as possible.
+std::vector<UnmatchedPreset> unmatched_in_run(const OpenedDocument& opened, const CheckedDocument& checked,
+                                              const Run& run) {
+    const PresetWalk walk = begin_walk({}, opened.document, checked.settings->globals, checked.settings->seed);
+    std::vector<bool> met(walk.presets.all.size());
+    const std::vector<std::uint8_t>& derived = run.design ? run.design->derivation.met : run.tangle.met;
+    for (std::size_t i = 0; i < met.size(); ++i) {
+        met[i] = derived[i] != 0 || (i < run.picture.met.size() && run.picture.met[i] != 0);
+    }
+    return unmatched_presets(walk.presets, met);
+}
+
+// A name behind `let` is there if it is possible.
+std::vector<UnmatchedPreset> unmatched_in_word(const rewriting::WordChoices& choices) {
+    const std::vector<std::uint8_t> reached = choices.met();
+    std::vector<bool> met(reached.size());
+    for (std::size_t i = 0; i < met.size(); ++i) {
+        met[i] = reached[i] != 0 || choices.presets().all[i].path->segments.front().name == "let";
+    }
+    return unmatched_presets(choices.presets(), met);
+}
+
+Diagnostics unmatched_warnings(const std::vector<UnmatchedPreset>& unmatched) {
+    Diagnostics warnings;
+    for (const UnmatchedPreset& preset : unmatched) {
+        warnings.push_back(warning(
             "preset.unmatched",
             "'" + preset.path + "' is nowhere in this derivation, so the '" + preset.statement + "' does nothing now",
             preset.span));
     }
+    return warnings;
 }
 
 }  // namespace
@@ -72,11 +91,25 @@ Result<tangle::Tangle> derive_document(const OpenedDocument& opened, const Check
 
 namespace {
 
+// What is to be said of the choices of a word.
+void note_choices(Run& run) {
+    const std::shared_ptr<rewriting::WordChoices>& choices = run.word->derivation.choices;
+    if (!choices) return;
+    run.unmatched = unmatched_in_word(*choices);
+    append(run.diagnostics, unmatched_warnings(run.unmatched));
+    if (choices->left_out() == 0) return;
+    run.diagnostics.push_back(warning("choices.too-many", std::to_string(choices->left_out()) +
+                                                              " choices more were made than are listed, which are " +
+                                                              std::to_string(choices->made().size())));
+}
+
 Result<Run> run_word(const OpenedDocument& opened, const CheckedDocument& checked, const RunOptions& options,
                      Executor& executor, const Job& job) {
     const double begin = now_seconds();
     WordOptions wanted;
     wanted.steps = options.steps;
+    wanted.site = top_site(checked, options);
+    wanted.records_choices = options.lists_choices;
     if (!options.draws) {
         Result<rewriting::Derivation> derivation = derive_word(opened, checked, wanted, executor, job);
         if (!derivation) return derivation.diagnostics();
@@ -84,6 +117,7 @@ Result<Run> run_word(const OpenedDocument& opened, const CheckedDocument& checke
         run.diagnostics = derivation.diagnostics();
         run.times.derive = now_seconds() - begin;
         run.word = WordRun{std::move(*derivation), {}};
+        note_choices(run);
         return run;
     }
     Result<DrawnWord> drawn = draw_word(opened, checked, wanted, executor, job);
@@ -94,6 +128,7 @@ Result<Run> run_word(const OpenedDocument& opened, const CheckedDocument& checke
     run.times.draw = now_seconds() - drawn->derived;
     run.drawing = std::move(drawn->drawing);
     run.word = std::move(drawn->run);
+    note_choices(run);
     if (options.verify) {
         report(job, "verify", -1);
         run.broken = rewriting::broken_invariants(run.word->derivation);
@@ -123,7 +158,8 @@ Result<Run> run_design(const OpenedDocument& opened, const CheckedDocument& chec
         run.drawing = std::move(drawn->drawing);
         run.design = std::move(drawn->run);
     }
-    warn_of_unmatched(opened, checked, run);
+    run.unmatched = unmatched_in_run(opened, checked, run);
+    append(run.diagnostics, unmatched_warnings(run.unmatched));
     if (options.verify) {
         report(job, "verify", -1);
         run.broken = shape::broken_invariants(run.design->derivation, *checked.design);
@@ -162,7 +198,8 @@ Result<Run> run_document(const OpenedDocument& opened, const CheckedDocument& ch
     }
     run.times.draw = now_seconds() - derived;
 
-    warn_of_unmatched(opened, checked, run);
+    run.unmatched = unmatched_in_run(opened, checked, run);
+    append(run.diagnostics, unmatched_warnings(run.unmatched));
     if (options.verify) {
         report(job, "verify", -1);
         run.broken = tangle::broken_invariants(run.tangle);

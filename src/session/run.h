@@ -21,8 +21,9 @@ struct RunOptions {
     std::optional<std::uint64_t> steps;  // a prefix of the derivation
     tangle::ColourBy colour_by = tangle::ColourBy::style;
     bool verify = false;
-    bool draws = true;  // else words and designs are only derived
+    bool draws = true;                         // else words and designs are only derived
     const tangle::Tangle* previous = nullptr;  // of an earlier state of the document: what still holds is taken over
+    bool lists_choices = false;                // words: those that are made are recorded, to be listed
     const Replay* replay = nullptr;            // choices to be taken instead of drawing; null: the document's own
 };
 

@@ -24,8 +24,8 @@ struct Looked {
     Run run;
 };
 
-std::unique_ptr<Looked> look_at(const std::filesystem::path& document, const OpenOptions& open, Executor& executor,
-                                const Job& job) {
+std::unique_ptr<Looked> look_at(const std::filesystem::path& document, const OpenOptions& open,
+                                const RunOptions& options, Executor& executor, const Job& job) {
     auto looked = std::make_unique<Looked>();
     Result<OpenedDocument> opened = open_document(document, open);
     if (!opened) {
@@ -36,17 +36,24 @@ std::unique_ptr<Looked> look_at(const std::filesystem::path& document, const Ope
     looked->checked = check_document(looked->opened);
     looked->status = print_diagnostics(looked->checked.diagnostics, looked->opened.sources);
     if (looked->status != 0) return looked;
-    Result<Run> run = run_document(looked->opened, looked->checked, {}, executor, job);
+    Result<Run> run = run_document(looked->opened, looked->checked, options, executor, job);
     looked->status = print_diagnostics(run ? run->diagnostics : run.diagnostics(), looked->opened.sources);
     if (run) looked->run = std::move(*run);
     return looked;
+}
+
+RunOptions listing_choices() {
+    RunOptions options;
+    options.lists_choices = true;
+    return options;
 }
 
 }  // namespace
 
 int run_choices(const ChoicesCommand& command) {
     const std::unique_ptr<Executor> executor = make_executor(command.threads);
-    const std::unique_ptr<Looked> looked = look_at(command.document, command.open, *executor, terminal_job());
+    const std::unique_ptr<Looked> looked =
+        look_at(command.document, command.open, listing_choices(), *executor, terminal_job());
     if (looked->status != 0) return looked->status;
     if (command.output.empty()) {
         list_choices(looked->opened, looked->checked, looked->run, [](std::string_view piece) {
@@ -70,7 +77,7 @@ int run_pick(const PickCommand& command) {
         return print_diagnostics({fault(Fault::usage, "pick.bad-point", "'" + command.at + "' is no point X,Y")}, {});
     }
     SerialExecutor executor;
-    const std::unique_ptr<Looked> looked = look_at(command.document, command.open, executor, terminal_job());
+    const std::unique_ptr<Looked> looked = look_at(command.document, command.open, {}, executor, terminal_job());
     if (looked->status != 0) return looked->status;
     const Unit unit = looked->opened.document.units.at(0);
     const Vec at{to_px(*x, unit), to_px(*y, unit)};
@@ -93,7 +100,7 @@ int run_variations(const VariationsCommand& command) {
     if (!takes_one) {
         if (const auto wrong = unknown_formats({command.output}); !wrong.empty()) return print_diagnostics(wrong, {});
     }
-    const std::unique_ptr<Looked> looked = look_at(command.document, command.open, *executor, job);
+    const std::unique_ptr<Looked> looked = look_at(command.document, command.open, listing_choices(), *executor, job);
     if (looked->status != 0) return looked->status;
     if (const auto wrong = overwrites({command.output}, looked->opened.files); !wrong.empty()) {
         return print_diagnostics(wrong, {});
