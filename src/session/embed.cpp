@@ -44,9 +44,13 @@ struct SharedDocuments {
 // The documents that one document may embed, with functions for those that they embed in turn, in the same order.
 class Embedder {
 public:
-    Embedder(const OpenedDocument& opened, const Job& job, std::shared_ptr<SharedDocuments> shared,
+    Embedder(const OpenedDocument& opened, bool lists_choices, const Job& job, std::shared_ptr<SharedDocuments> shared,
              std::vector<EmbedFunction> inner)
-        : opened_(opened), job_(job), shared_(std::move(shared)), inner_(std::move(inner)) {}
+        : opened_(opened),
+          lists_choices_(lists_choices),
+          job_(job),
+          shared_(std::move(shared)),
+          inner_(std::move(inner)) {}
 
     Result<std::shared_ptr<const Embedded>> embed(const EmbedRequest& request) {
         const std::optional<std::size_t> which = find(request);
@@ -121,6 +125,7 @@ private:
         WordOptions options;
         options.site = request.site;
         options.most_elements = request.element_budget;
+        options.records_choices = lists_choices_;
         Result<DrawnWord> drawn = draw_word(*document.opened, *checked, options, serial, {job_.cancel_flag, {}});
         if (!drawn) return std::move(drawn).diagnostics();
         auto run = std::make_shared<EmbeddedWord>();
@@ -261,6 +266,7 @@ private:
     }
 
     const OpenedDocument& opened_;
+    const bool lists_choices_;
     const Job job_;
     std::shared_ptr<SharedDocuments> shared_;
     std::vector<EmbedFunction> inner_;
@@ -269,7 +275,7 @@ private:
 // Makes one function for each document, however many ways lead to it.
 class EmbedderMaker {
 public:
-    explicit EmbedderMaker(const Job& job) : job_(job) {}
+    EmbedderMaker(bool lists_choices, const Job& job) : lists_choices_(lists_choices), job_(job) {}
 
     EmbedFunction make(const OpenedDocument& opened) {
         if (opened.embedded.empty()) return {};
@@ -279,13 +285,14 @@ public:
         for (const EmbeddedDocument& document : opened.embedded) {
             inner.push_back(document.opened ? make(*document.opened) : EmbedFunction());
         }
-        auto embedder = std::make_shared<Embedder>(opened, job_, shared_, std::move(inner));
+        auto embedder = std::make_shared<Embedder>(opened, lists_choices_, job_, shared_, std::move(inner));
         EmbedFunction function = [embedder](const EmbedRequest& request) { return embedder->embed(request); };
         made_.emplace(&opened, function);
         return function;
     }
 
 private:
+    const bool lists_choices_;
     const Job& job_;
     std::shared_ptr<SharedDocuments> shared_ = std::make_shared<SharedDocuments>();
     std::map<const OpenedDocument*, EmbedFunction> made_;  // looked up only
@@ -313,6 +320,8 @@ void for_each_embedded(const tangle::Tangle& tangle, const std::function<void(co
     }
 }
 
-EmbedFunction embed_function(const OpenedDocument& opened, const Job& job) { return EmbedderMaker(job).make(opened); }
+EmbedFunction embed_function(const OpenedDocument& opened, bool lists_choices, const Job& job) {
+    return EmbedderMaker(lists_choices, job).make(opened);
+}
 
 }  // namespace filigree

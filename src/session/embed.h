@@ -41,6 +41,7 @@ void for_each_embedded(const tangle::Tangle& tangle, const std::function<void(co
 
 // For the documents that `opened` may embed, which must outlive the result; errors have their places in the sources of
 // the outermost document. Documents whose parameters hold no choice and are not given are read once.
-EmbedFunction embed_function(const OpenedDocument& opened, const Job& job);
+// `lists_choices` as in RunOptions.
+EmbedFunction embed_function(const OpenedDocument& opened, bool lists_choices, const Job& job);
 
 }  // namespace filigree

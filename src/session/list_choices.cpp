@@ -152,10 +152,11 @@ private:
         const tangle::Step& step = tangle_.steps[number];
         for (std::size_t i = 0; i < step.embedded.size(); ++i) {
             if (!step.embedded[i]) continue;
+            const std::string prefix = prefix_ + tangle::path_of_embedded(tangle_, grammar_, number, i) + "/";
+            if (const EmbeddedWord* inner = word_in(*step.embedded[i])) list_word(inner->word, prefix, visit_);
             const EmbeddedTangle* inner = tangle_in(*step.embedded[i]);
             if (inner == nullptr) continue;
-            ChoiceLister lister(inner->tangle, *inner->checked->grammar,
-                                prefix_ + tangle::path_of_embedded(tangle_, grammar_, number, i) + "/", visit_);
+            ChoiceLister lister(inner->tangle, *inner->checked->grammar, prefix, visit_);
             lister.root_ = inner->root;
             lister.list(inner->picture, *inner->opened);
         }

@@ -84,7 +84,7 @@ Result<tangle::Tangle> derive_document(const OpenedDocument& opened, const Check
     derive.steps = options.steps;
     derive.previous = options.previous;
     derive.site = top_site(checked, options);
-    derive.embed = embed_function(opened, job);
+    derive.embed = embed_function(opened, options.lists_choices, job);
     derive.shapes = checked.shapes.get();
     return tangle::derive(*checked.grammar, *checked.start, *checked.settings, opened.document, derive, executor, job);
 }

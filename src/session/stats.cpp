@@ -60,6 +60,11 @@ std::size_t rule_count(const rewriting::Grammar& grammar) {
 
 Json verified(const Run& run) { return run.verified ? Json(run.broken.empty()) : Json(nullptr); }
 
+void add_unmatched(Json& json, const Run& run) {
+    json["unmatched"] = Json::array();
+    for (const UnmatchedPreset& preset : run.unmatched) json["unmatched"].push_back(preset.path);
+}
+
 std::string word_stats_json(const OpenedDocument& opened, const CheckedDocument& checked, const Run& run) {
     const rewriting::Derivation& derivation = run.word->derivation;
     Json json;
@@ -72,6 +77,7 @@ std::string word_stats_json(const OpenedDocument& opened, const CheckedDocument&
     json["seconds"] = seconds_of(run.times);
     json["peak_memory_bytes"] = peak_memory_bytes();
     json["verified"] = verified(run);
+    add_unmatched(json, run);
     std::uint64_t vertices = 0;
     for (const auto& geometry : run.drawing.geometry) vertices += geometry->points.size();
     json["word"] = {{"length", derivation.word.size()}, {"vertices", vertices}};
@@ -136,8 +142,7 @@ std::string stats_json(const OpenedDocument& opened, const CheckedDocument& chec
     json["peak_memory_bytes"] = peak_memory_bytes();
     json["area"] = {{"start", areas.start}, {"leaves", areas.leaves}};
     json["verified"] = verified(run);
-    json["unmatched"] = Json::array();
-    for (const UnmatchedPreset& preset : run.unmatched) json["unmatched"].push_back(preset.path);
+    add_unmatched(json, run);
     json["choices"] = choices;
     std::uint64_t vertices = 0;
     for (const auto& geometry : run.tangle.geometry) vertices += geometry->points.size();
