@@ -8,6 +8,8 @@
 //   ordinals   each n becomes as many copies as there are n before it
 //   followers  the same, then the ñ that they put
 //   contexts   each symbol looks at its neighbour
+//   chances    each draws its successor, by its lineage
+//   macros     many become random letters
 // Each case first checks the hash of its word: a faster wrong answer fails.
 #include <benchmark/benchmark.h>
 
@@ -41,6 +43,9 @@ constexpr Case long_runs{"axiom \"{1000aq}\"\ngain q 600", 20, 91024859021062671
 constexpr Case ordinals{"axiom \"{3500n}\"\nn -> \"ab\"", 1, 9656553232479718564U};
 constexpr Case followers{"axiom \"{300n}\"\nn@1 -> \"a[~n]\"\n~n@2 -> \"bc\"", 2, 12323412405697983303U};
 constexpr Case contexts{"axiom \"a\"\na -> \"ab\"\na < b -> \"ba\"\nb < b -> \"a\"", 24, 7524816352593116034U};
+
+constexpr Case chances{"axiom \"{1000a}\"\na -> \"ab\", \"ba\" * 2, \"aca\"\nb -> \"a\", \"bc\"", 12, 6351837693442490234U};
+constexpr Case macros{"axiom \"{50000a}\"\na -> \"aR\"\nR = random 1..4 \"abbc\"", 2, 10073345911684481255U};
 
 constexpr std::uint64_t most_symbols = 1 << 26;
 
@@ -90,6 +95,8 @@ WORDS(long_runs);
 WORDS(ordinals);
 WORDS(followers);
 WORDS(contexts);
+WORDS(chances);
+WORDS(macros);
 #undef WORDS
 
 }  // namespace
