@@ -1,12 +1,9 @@
 #include "curves/end_index.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace filigree::curves {
 namespace {
-
-double area_of(const Bounds& box) { return (box.max.x - box.min.x) * (box.max.y - box.min.y); }
 
 // The bits of x and y interleaved: near places mostly have near codes.
 std::uint64_t spread_bits(std::uint64_t v) {
@@ -57,28 +54,9 @@ std::vector<Edge> as_edges(const std::vector<End>& ends) {
 
 EndIndex::EndIndex(std::span<const Element> elements) : tree_({}) {
     const std::vector<End> ends = ends_in_order(elements);
-    Bounds all;
     element_of_.reserve(ends.size());
-    for (const End& end : ends) {
-        element_of_.push_back(end.element);
-        extend(all, end.at);
-    }
+    for (const End& end : ends) element_of_.push_back(end.element);
     tree_ = EdgeTree(as_edges(ends));
-    if (!ends.empty() && area_of(all) > 0) ends_per_area_ = static_cast<double>(ends.size()) / area_of(all);
-}
-
-// So many that looking into a box costs about as much as what is found in it.
-std::size_t EndIndex::boxes_along(const Element& e, std::array<Bounds, most_stretches>& boxes) const {
-    boxes[0] = bounds_of(e);
-    const double expected = area_of(boxes[0]) * ends_per_area_;
-    if (!(expected > 32)) return 1;
-    const auto count = static_cast<std::size_t>(std::min(0.5 * std::sqrt(expected), 1.0 * most_stretches));
-    const Interval own = interval_of(e);
-    const auto place = [&](std::size_t i) {
-        return own.from + (own.to - own.from) * static_cast<double>(i) / static_cast<double>(count);
-    };
-    for (std::size_t i = 0; i < count; ++i) boxes[i] = bounds_of(piece_of(e, {place(i), place(i + 1)}));
-    return count;
 }
 
 std::vector<Pair> pairs_near(std::span<const Element> a, std::span<const Element> b, double reach) {

@@ -2,7 +2,8 @@
 // descriptor and touch or overlap have an end of one on the other. A whole circle or ellipse has one place on it for an
 // end.
 //
-// Long elements are looked along stretch by stretch, so that what lies in the corners of their boxes is not found.
+// Where many ends lie in the box of an element, it is looked along part by part, so that what lies in the corners is
+// not found.
 #pragma once
 
 #include <array>
@@ -20,26 +21,51 @@ class EndIndex {
 public:
     explicit EndIndex(std::span<const Element> elements);
 
-    // Calls visit(index) for every element with an end within `reach` of the element (and for some others; mostly
+    // Calls visit(index) for every element with an end within `reach` of the element (and for some others, and some
     // twice), until one returns true; whether one did. In an order that hangs on the elements alone.
     template <class Visit>
     bool any(const Element& e, double reach, Visit visit) const {
-        std::array<Bounds, most_stretches> boxes;
-        const std::size_t count = boxes_along(e, boxes);
-        for (std::size_t i = 0; i < count; ++i) {
-            const VecBox around{boxes[i].min - Vec{reach, reach}, boxes[i].max + Vec{reach, reach}};
-            if (tree_.any(around, [&](std::uint32_t end) { return visit(element_of_[end]); })) return true;
+        struct Part {
+            Interval on;
+            int depth = 0;
+        };
+        std::array<Part, most_depth + 1> open;
+        std::size_t count = 0;
+        open[count++] = {interval_of(e), 0};
+        std::array<std::uint32_t, crowd> found;
+        while (count > 0) {
+            const auto [on, depth] = open[--count];
+            const Bounds box = depth == 0 ? bounds_of(e) : bounds_of(piece_of(e, on));
+            const VecBox around{box.min - Vec{reach, reach}, box.max + Vec{reach, reach}};
+            if (depth == most_depth) {
+                if (tree_.any(around, [&](std::uint32_t end) { return visit(element_of_[end]); })) return true;
+                continue;
+            }
+            std::size_t size = 0;
+            const bool is_crowded = tree_.any(around, [&](std::uint32_t end) {
+                if (size == crowd) return true;
+                found[size++] = element_of_[end];
+                return false;
+            });
+            if (is_crowded) {
+                const double middle = 0.5 * (on.from + on.to);
+                open[count++] = {{middle, on.to}, depth + 1};
+                open[count++] = {{on.from, middle}, depth + 1};
+                continue;
+            }
+            for (std::size_t i = 0; i < size; ++i) {
+                if (visit(found[i])) return true;
+            }
         }
         return false;
     }
 
 private:
-    static constexpr std::size_t most_stretches = 64;
-    std::size_t boxes_along(const Element& e, std::array<Bounds, most_stretches>& boxes) const;
+    static constexpr std::size_t crowd = 32;  // so many ends in a box are worth looking at its halves instead
+    static constexpr int most_depth = 12;
 
     std::vector<std::uint32_t> element_of_;
     EdgeTree tree_;
-    double ends_per_area_ = 0;
 };
 
 // All pairs of an element of `a` and one of `b`, of one kind and layer, of which an end of one lies within `reach` of

@@ -94,6 +94,22 @@ TEST(Maximal, PutsTheFlattestPiecesTogether) {
     }
 }
 
+// Errors do not grow from piece to piece.
+TEST(Maximal, MakesOneOfThousandsOfPieces) {
+    CaseRandom random(7);
+    for (const ElementKind kind : {ElementKind::line, ElementKind::parabola, ElementKind::arc, ElementKind::cubic}) {
+        const Element whole = *normal_form(random_element(random, kind), tolerance);
+        const Interval own = interval_of(whole);
+        std::vector<Element> pieces;
+        constexpr int count = 5000;
+        for (int i = 0; i < count; ++i) {
+            pieces.push_back(piece_of(whole, {own.from + (own.to - own.from) * i / count,
+                                              own.from + (own.to - own.from) * (i + 1) / count}));
+        }
+        EXPECT_EQ(difference_to(maximal(pieces, tolerance).elements, {whole}, tolerance), "");
+    }
+}
+
 TEST(Maximal, SimplifiesWhatIsWhole) {
     const Shape shape = maximal({cubic_element({0, 0}, {1, 0}, {2, 0}, {3, 0}), line_element({3, 0}, {5, 0}),
                                  parabola_element({5, 0}, {5.5, 0}, {6, 0})},

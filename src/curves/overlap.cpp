@@ -66,12 +66,21 @@ std::optional<Placed> placed_on(const Element& e, const Element& other, double r
     return is_carrier ? placed_on_part(e, other, reach) : placed_on_carrier(e, other, reach);
 }
 
+// Whether two lines plainly lie in different directions: where many meet in a point this is asked most.
+bool are_apart(const Element& a, const Element& b, double reach) {
+    if (a.kind != ElementKind::line || b.kind != ElementKind::line) return false;
+    const Vec of_a = a.at[1] - a.at[0], of_b = b.at[1] - b.at[0];
+    const double off = cross(of_a, of_b);
+    return off * off > 4 * reach * reach * std::max(dot(of_a, of_a), dot(of_b, of_b));
+}
+
 // Two elements in the order of carrier and part, and where the part lies.
 struct Related {
     const Element &carrier, &part;
     Placed placed;
 };
 std::optional<Related> related(const Element& a, const Element& b, double reach) {
+    if (are_apart(a, b, reach)) return std::nullopt;
     const bool a_carries = carries(a, b);
     const Element &longer = a_carries ? a : b, &shorter = a_carries ? b : a;
     if (const auto placed = placed_on_carrier(longer, shorter, reach)) return Related{longer, shorter, *placed};
