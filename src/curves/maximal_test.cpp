@@ -103,8 +103,8 @@ TEST(Maximal, MakesOneOfThousandsOfPieces) {
         std::vector<Element> pieces;
         constexpr int count = 5000;
         for (int i = 0; i < count; ++i) {
-            pieces.push_back(piece_of(whole, {own.from + (own.to - own.from) * i / count,
-                                              own.from + (own.to - own.from) * (i + 1) / count}));
+            pieces.push_back(piece_of(
+                whole, {own.from + (own.to - own.from) * i / count, own.from + (own.to - own.from) * (i + 1) / count}));
         }
         EXPECT_EQ(difference_to(maximal(pieces, tolerance).elements, {whole}, tolerance), "");
     }
