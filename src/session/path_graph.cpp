@@ -51,8 +51,19 @@ private:
                 paths_.places.back().word = word;
             }
         }
+        if (checked.design) add_steps(*checked.design, here, roots);
         roots.push_back(definitions);
         return roots_[&checked] = roots;
+    }
+
+    // The steps of a shape grammar: step[3] by the machine, apply[2] by hand, and the rule below it.
+    void add_steps(const shape::Grammar& grammar, PathPlace here, std::vector<std::uint32_t>& roots) {
+        std::vector<std::uint32_t> rules;
+        for (const shape::Rule& rule : grammar.rules) {
+            rules.push_back(add_node({false, false, rule.name, {}, {"right", "is_random"}}, here));
+        }
+        roots.push_back(add_node({true, true, "step", rules, {"rule", "match", "is_random"}}, here));
+        roots.push_back(add_node({true, true, "apply", rules, {"is_random"}}, here));
     }
 
     std::uint32_t add_definitions(const OpenedDocument& opened, PathPlace here) {
