@@ -25,9 +25,8 @@ Result<DrawnDesign> draw_design(const OpenedDocument& opened, const CheckedDocum
                                                  {options.site.root, {job.cancel_flag, {}}});
     if (!picture) return picture.diagnostics();
     append(warnings, picture.diagnostics());
-    DrawnDesign drawn{{std::move(*derivation), picture->scale, std::move(picture->elements)},
-                      std::move(picture->drawing),
-                      derived};
+    DrawnDesign drawn{
+        {std::move(*derivation), picture->scale, std::move(picture->elements)}, std::move(picture->drawing), derived};
     return {std::move(drawn), std::move(warnings)};
 }
 

@@ -14,7 +14,7 @@ namespace filigree {
 // What a shape document came to.
 struct DesignRun {
     shape::Derivation derivation;
-    double scale = 1;  // of its drawing
+    double scale = 1;                                  // of its drawing
     std::vector<std::vector<std::uint32_t>> elements;  // of each shape of the drawing: those of the design
 };
 

@@ -15,8 +15,10 @@ std::span<const EngineInfo> engines() {
         for (const rewriting::EditOperator& op : rewriting::edit_operators()) {
             rewriting.operators.push_back(&op.description);
         }
-        EngineInfo shape{"shape", "shape grammars of curves: rules apply wherever their left side can be seen", {}, "Forms"};
-        for (const auto* forms : {&drawn_shapes(), &shape_transforms(), &shape_regions(), &rule_derivations(), &shape::match_words()}) {
+        EngineInfo shape{
+            "shape", "shape grammars of curves: rules apply wherever their left side can be seen", {}, "Forms"};
+        for (const auto* forms :
+             {&drawn_shapes(), &shape_transforms(), &shape_regions(), &rule_derivations(), &shape::match_words()}) {
             for (const OperatorDescription& form : *forms) shape.operators.push_back(&form);
         }
         return std::vector<EngineInfo>{tangle, rewriting, shape};

@@ -47,7 +47,8 @@ std::string design_text(const OpenedDocument& opened, const CheckedDocument& che
         text += std::to_string(s) + "  " + shape::path_of_state(derivation, grammar, s) + "  " +
                 apply_text(opened, checked, {}, step.applied[0], false).substr(6);
         if (step.applied.size() > 1) text += " and " + count_text(step.applied.size() - 1, "other place");
-        text += "  " + std::to_string(step.change.removed.size()) + " -> " + count_text(step.change.added.size(), "element");
+        text += "  " + std::to_string(step.change.removed.size()) + " -> " +
+                count_text(step.change.added.size(), "element");
         if (step.before + 1 != s) text += "  from state " + std::to_string(step.before);
         text += "\n";
     }

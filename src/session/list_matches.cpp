@@ -58,8 +58,8 @@ std::size_t count_of(const FoundMatches& found) {
 Json json_of(const curves::Element& e) {
     Json json;
     json["kind"] = kind_name(e.kind);
-    const std::size_t points = e.kind == curves::ElementKind::point  ? 1
-                               : e.kind == curves::ElementKind::line ? 2
+    const std::size_t points = e.kind == curves::ElementKind::point   ? 1
+                               : e.kind == curves::ElementKind::line  ? 2
                                : e.kind == curves::ElementKind::cubic ? 4
                                                                       : 3;
     for (std::size_t i = 0; i < points; ++i) json["points"].push_back({e.at[i].x, e.at[i].y});
@@ -109,7 +109,8 @@ std::string apply_text(const OpenedDocument& opened, const CheckedDocument& chec
     bool other_angle = false, other_scale = false;
     for (const Application& other : among.all) {
         if (length(other.place - at.place) > 0.5 || other.fit.is_reflected != at.fit.is_reflected) continue;
-        other_angle = other_angle || std::fabs(std::remainder(other.fit.angle_degrees - at.fit.angle_degrees, 360)) > 1e-3;
+        other_angle =
+            other_angle || std::fabs(std::remainder(other.fit.angle_degrees - at.fit.angle_degrees, 360)) > 1e-3;
         other_scale = other_scale || std::fabs(other.fit.scale / at.fit.scale - 1) > 1e-3;
     }
     if (other_angle || at.fit.is_reflected) text += " angle " + to_text(shortened(at.fit.angle_degrees));

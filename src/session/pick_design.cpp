@@ -39,8 +39,8 @@ std::optional<Picked> pick_element(const OpenedDocument& opened, const CheckedDo
     double least = reach / run.scale;
     for (std::size_t i = 0; i < elements.size(); ++i) {
         const curves::Bounds box = bounds_of(elements[i]);
-        const bool is_far = place.x < box.min.x - least || place.x > box.max.x + least ||
-                            place.y < box.min.y - least || place.y > box.max.y + least;
+        const bool is_far = place.x < box.min.x - least || place.x > box.max.x + least || place.y < box.min.y - least ||
+                            place.y > box.max.y + least;
         if (is_far) continue;
         if (const double distance = distance_to(elements[i], place); distance <= least) {
             least = distance;

@@ -72,7 +72,8 @@ int run_derive(const DeriveCommand& command) {
         const Result<shape::Derivation> design = derive_design(*opened, checked, {command.steps, {}}, job);
         const int status = print_diagnostics(design.diagnostics(), sources);
         if (design) {
-            std::cout << (command.json ? design_json(*opened, checked, *design) : design_text(*opened, checked, *design));
+            std::cout << (command.json ? design_json(*opened, checked, *design)
+                                       : design_text(*opened, checked, *design));
         }
         return status;
     }

@@ -243,7 +243,9 @@ void add_match(CLI::App& app, Run& run) {
     command.add_option("--at", match.at, "where: X,Y in the document's unit, y downwards");
     command.add_flag("--json", match.json, "as JSON, with the transforms and the elements that are covered");
     command.add_option("-o,--output", match.output, "a drawing of the matches (.svg, .pdf, .png)");
-    command.add_option("--dpi", match.dpi, "dots per inch of a PNG")->check(CLI::Range(1.0, 9600.0))->capture_default_str();
+    command.add_option("--dpi", match.dpi, "dots per inch of a PNG")
+        ->check(CLI::Range(1.0, 9600.0))
+        ->capture_default_str();
     add_open_flags(command, options->flags);
     when_chosen<Options>(command, run, options, [](Options& given) -> Run {
         given.command.open = open_options(given.flags);
@@ -265,12 +267,16 @@ void add_designs(CLI::App& app, Run& run) {
     command.add_option("--most", designs.most, "stop behind so many designs")
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
-    command.add_option("--up-to", designs.up_to, "which designs are the same: those that differ by nothing, translation, isometry or similarity")
+    command
+        .add_option("--up-to", designs.up_to,
+                    "which designs are the same: those that differ by nothing, translation, isometry or similarity")
         ->check(CLI::IsMember({"nothing", "translation", "isometry", "similarity"}))
         ->capture_default_str();
     command.add_flag("--json", designs.json, "as JSON");
     command.add_option("-o,--output", designs.output, "a sheet of all of them (.svg, .pdf, .png)");
-    command.add_option("--dpi", designs.dpi, "dots per inch of a PNG")->check(CLI::Range(1.0, 9600.0))->capture_default_str();
+    command.add_option("--dpi", designs.dpi, "dots per inch of a PNG")
+        ->check(CLI::Range(1.0, 9600.0))
+        ->capture_default_str();
     add_open_flags(command, options->flags);
     when_chosen<Options>(command, run, options, [](Options& given) -> Run {
         given.command.open = open_options(given.flags);
@@ -375,7 +381,8 @@ void add_step(CLI::App& app, Run& run) {
     };
     const auto options = std::make_shared<Options>();
     filigree::StepCommand& step = options->command;
-    CLI::App& command = *app.add_subcommand("step", "apply a shape rule at one of its matches: the document with one step more");
+    CLI::App& command =
+        *app.add_subcommand("step", "apply a shape rule at one of its matches: the document with one step more");
     command.add_option("document", step.document, document_help)->required();
     command.add_option("--rule", step.rule, "the rule")->required();
     command.add_option("--match", step.match, "the match's number, as `match` lists them")->required();

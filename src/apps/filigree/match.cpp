@@ -98,9 +98,10 @@ int run_match(const MatchCommand& command) {
             }
         }
         const Result<Drawing> drawing =
-            shape::draw_matches(found->derivation, *document.checked.design,
-                                surroundings_of(opened, document.checked), shown, {{}, {job.cancel_flag, {}}});
-        if (const int status = write_drawing(drawing, command.output, document, command.dpi); status != 0) return status;
+            shape::draw_matches(found->derivation, *document.checked.design, surroundings_of(opened, document.checked),
+                                shown, {{}, {job.cancel_flag, {}}});
+        if (const int status = write_drawing(drawing, command.output, document, command.dpi); status != 0)
+            return status;
     }
     std::cout << (command.json ? matches_json(opened, document.checked, *found)
                                : matches_text(opened, document.checked, *found));

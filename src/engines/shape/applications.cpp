@@ -137,8 +137,8 @@ Shape placed(const Shape& shape, const Rule& rule, const Application& at, double
     } else {
         const std::vector<Vec> own = corners_of(rule.left, tolerance);
         for (Element e : shape.elements) {
-            const std::size_t points = e.kind == ElementKind::point  ? 1
-                                       : e.kind == ElementKind::line ? 2
+            const std::size_t points = e.kind == ElementKind::point   ? 1
+                                       : e.kind == ElementKind::line  ? 2
                                        : e.kind == ElementKind::cubic ? 4
                                                                       : 3;
             for (std::size_t i = 0; i < points; ++i) e.at[i] = curves::stretched(e.at[i], own, at.corners);
@@ -259,9 +259,8 @@ std::vector<Application> orbit_of(const Application& application, const Rule& ru
         for (Vec& corner : moved.corners) corner = apply(symmetry.by, corner);
         moved.place = apply(symmetry.by, application.place);
         Shape own = placed(rule.left, rule, moved, tolerance);
-        const bool is_known = std::any_of(covered.begin(), covered.end(), [&](const Shape& other) {
-            return are_equal(own, other, tolerance);
-        });
+        const bool is_known = std::any_of(covered.begin(), covered.end(),
+                                          [&](const Shape& other) { return are_equal(own, other, tolerance); });
         if (is_known) continue;
         covered.push_back(std::move(own));
         orbit.push_back(std::move(moved));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "curves/along.h"
 #include "engines/shape/shape_values.h"
 #include "language/shape_forms.h"
 
@@ -11,17 +12,17 @@ namespace {
 using curves::Element;
 using curves::Shape;
 
-// Takes elements out of a design and puts others in; both must fit. The new ones came with `state`.
+// Takes elements out of a design and puts others in, with the states that they came with.
 void make(Derivation& derivation, const std::vector<Element>& removed, const std::vector<Element>& added,
-          std::uint32_t state) {
+          const std::vector<std::uint32_t>& added_by) {
     std::vector<Element> elements;
     std::vector<std::uint32_t> made_by;
     elements.reserve(derivation.design.elements.size() + added.size());
     made_by.reserve(elements.capacity());
     std::size_t gone = 0, fresh = 0;
     const auto put_fresh = [&] {
+        made_by.push_back(added_by[fresh]);
         elements.push_back(added[fresh++]);
-        made_by.push_back(state);
     };
     for (std::size_t i = 0; i < derivation.design.elements.size(); ++i) {
         const Element& e = derivation.design.elements[i];
@@ -36,6 +37,22 @@ void make(Derivation& derivation, const std::vector<Element>& removed, const std
     while (fresh < added.size()) put_fresh();
     derivation.design.elements = std::move(elements);
     derivation.made_by = std::move(made_by);
+}
+
+// The states that the elements of a change came with, where it becomes that of a step to `state`.
+void tell_origins(const Derivation& derivation, double tolerance, std::uint32_t state, Step& step) {
+    const std::vector<Element>& all = derivation.design.elements;
+    for (const Element& e : step.change.removed) {
+        const auto place = std::lower_bound(all.begin(), all.end(), e, curves::comes_before) - all.begin();
+        step.removed_by.push_back(derivation.made_by[static_cast<std::size_t>(place)]);
+    }
+    for (const Element& e : step.change.added) {
+        std::uint32_t origin = state;
+        for (std::size_t r = 0; r < step.change.removed.size() && origin == state; ++r) {
+            if (misfit(step.change.removed[r], e, 2 * tolerance)) origin = step.removed_by[r];
+        }
+        step.added_by.push_back(origin);
+    }
 }
 
 // Runs what a document says, with its presets in hand.
@@ -55,9 +72,9 @@ public:
     }
 
     Result<Derivation> run() {
-        const std::uint64_t by_hand = static_cast<std::uint64_t>(std::count_if(
-            grammar_.by_hand.begin(), grammar_.by_hand.end(),
-            [](const auto& one) { return std::holds_alternative<ApplyAt>(one); }));
+        const std::uint64_t by_hand = static_cast<std::uint64_t>(
+            std::count_if(grammar_.by_hand.begin(), grammar_.by_hand.end(),
+                          [](const auto& one) { return std::holds_alternative<ApplyAt>(one); }));
         const std::uint64_t count = options_.steps.value_or(by_hand + grammar_.steps);
         for (const auto& one : grammar_.by_hand) {
             if (derivation_.steps.size() >= count) break;
@@ -84,9 +101,7 @@ private:
     SeenDesign seen() const {
         return {derivation_.design, index_, static_cast<std::uint32_t>(derivation_.steps.size())};
     }
-    Key step_key(std::uint64_t number) const {
-        return child(rooted(options_.site, Key{hash_text("step")}), number);
-    }
+    Key step_key(std::uint64_t number) const { return child(rooted(options_.site, Key{hash_text("step")}), number); }
 
     void return_to(const BackTo& back) {
         std::uint32_t state = 0;
@@ -121,8 +136,7 @@ private:
         const Key key = step_key(number);
         const PresetNode node = node_below(walk_, walk_.root, {"step", number, 0});
         ChoiceBuffer record;
-        Result<std::optional<NextStep>> next =
-            draw_step(grammar_, seen(), walk_, node, key, around_, job_, record);
+        Result<std::optional<NextStep>> next = draw_step(grammar_, seen(), walk_, node, key, around_, job_, record);
         if (!next) return next.diagnostics();
         if (!*next) {
             derivation_.is_finished = true;
@@ -197,26 +211,13 @@ void go_to(Derivation& derivation, std::uint32_t state) {
     const auto [fork, other] = std::mismatch(from.begin(), from.end(), to.begin(), to.end());
     for (auto back = from.end(); back != fork; --back) {
         const Step& step = derivation.steps[*(back - 1) - 1];
-        // Who made what comes back is told below.
-        make(derivation, step.change.added, step.change.removed, 0);
+        make(derivation, step.change.added, step.change.removed, step.removed_by);
     }
     for (auto next = other; next != to.end(); ++next) {
         const Step& step = derivation.steps[*next - 1];
-        make(derivation, step.change.removed, step.change.added, *next);
+        make(derivation, step.change.removed, step.change.added, step.added_by);
     }
     derivation.state = state;
-    if (fork == from.end()) return;
-    for (std::size_t i = 0; i < derivation.design.elements.size(); ++i) {
-        std::uint32_t& made_by = derivation.made_by[i];
-        made_by = 0;
-        for (const std::uint32_t s : to) {
-            if (s == 0) continue;
-            const std::vector<Element>& added = derivation.steps[s - 1].change.added;
-            if (std::binary_search(added.begin(), added.end(), derivation.design.elements[i], curves::comes_before)) {
-                made_by = s;
-            }
-        }
-    }
 }
 
 Result<Shape> put_by(const Grammar& grammar, const Application& at, std::uint32_t number, Key step,
@@ -250,9 +251,11 @@ Step& apply_rule(Derivation& derivation, const Grammar& grammar, std::vector<App
     step.change = change_by(derivation.design, merged(std::move(taken), grammar.tolerance),
                             merged(std::move(put), grammar.tolerance), grammar.tolerance, &derivation.ambiguities);
     step.applied = std::move(at);
-    make(derivation, step.change.removed, step.change.added, static_cast<std::uint32_t>(derivation.steps.size() + 1));
+    const auto state = static_cast<std::uint32_t>(derivation.steps.size() + 1);
+    tell_origins(derivation, grammar.tolerance, state, step);
+    make(derivation, step.change.removed, step.change.added, step.added_by);
     derivation.steps.push_back(std::move(step));
-    derivation.state = static_cast<std::uint32_t>(derivation.steps.size());
+    derivation.state = state;
     return derivation.steps.back();
 }
 

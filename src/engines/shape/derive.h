@@ -25,11 +25,13 @@ struct Step {
     std::uint32_t before = 0;  // the state that it changes
     std::uint32_t rule = 0;
     std::vector<Application> applied;
-    curves::Change change;     // of the design
-    std::uint32_t number = 0;                     // of automatic steps, from 1; 0 of those by hand
-    std::uint32_t by_hand = 0;                    // of those by hand, from 1
-    SourceSpan by;                                // the `apply` that says it
-    std::string name;                             // as `back to` calls the state behind it; else empty
+    curves::Change change;                            // of the design
+    std::vector<std::uint32_t> removed_by, added_by;  // the states that its elements came with; what is left of an
+                                                      // element keeps that one's
+    std::uint32_t number = 0;                         // of automatic steps, from 1; 0 of those by hand
+    std::uint32_t by_hand = 0;                        // of those by hand, from 1
+    SourceSpan by;                                    // the `apply` that says it
+    std::string name;                                 // as `back to` calls the state behind it; else empty
     std::size_t first_choice = 0, end_choice = 0;
 };
 

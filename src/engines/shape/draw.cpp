@@ -26,8 +26,9 @@ constexpr Colour ink{0, 0, 0, 255}, construction{120, 132, 150, 255}, accent{200
 
 // As far apart as hues can be, one after another.
 Colour hue(std::uint32_t number) {
-    static constexpr Colour hues[] = {{214, 69, 65, 150},  {44, 120, 190, 150}, {240, 160, 40, 150}, {60, 160, 90, 150},
-                                      {150, 80, 180, 150}, {20, 165, 165, 150}, {200, 90, 150, 150}, {110, 110, 60, 150}};
+    static constexpr Colour hues[] = {{214, 69, 65, 150},  {44, 120, 190, 150}, {240, 160, 40, 150},
+                                      {60, 160, 90, 150},  {150, 80, 180, 150}, {20, 165, 165, 150},
+                                      {200, 90, 150, 150}, {110, 110, 60, 150}};
     return hues[number % 8];
 }
 
@@ -254,10 +255,7 @@ Box grid_box(const curves::Bounds& box, double scale) {
     return grid;
 }
 
-Diagnostic nothing_drawn() {
-    return error("shape.nothing-drawn", "the design is empty, so there is nothing to draw");
-}
-
+Diagnostic nothing_drawn() { return error("shape.nothing-drawn", "the design is empty, so there is nothing to draw"); }
 
 // Frames side by side, all to one scale and in place, so that what moved is seen to have moved.
 class SheetPainter {
@@ -382,8 +380,8 @@ Result<Picture> draw(const Derivation& derivation, const Grammar& grammar, const
     if (!grammar.show.matches.empty()) {
         const curves::MatchIndex index(derivation.design, grammar.tolerance);
         for (const std::uint32_t rule : grammar.show.matches) {
-            const Result<Applications> found = applications_of(
-                grammar, rule, {derivation.design, index, derivation.state}, around, options.job);
+            const Result<Applications> found =
+                applications_of(grammar, rule, {derivation.design, index, derivation.state}, around, options.job);
             if (!found) return found.diagnostics();
             for (const Application& at : found->all) {
                 if (at.variant == 0) shown.push_back(at);

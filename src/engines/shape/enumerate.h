@@ -22,7 +22,7 @@ struct FoundDesign {
 
 struct EnumerateOptions {
     std::uint32_t depth = 2;
-    std::uint64_t most = 10'000;                         // designs
+    std::uint64_t most = 10'000;                 // designs
     curves::UpTo up_to = curves::UpTo::nothing;  // which designs are the same
 };
 

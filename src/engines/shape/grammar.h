@@ -33,11 +33,11 @@ struct Rule {
     // By which symmetries of the left side one match has several applications: the identity, and one for every way in
     // which the right side and the conditions look different.
     std::vector<Transform> variants = {Transform{}};
-    std::vector<curves::Shape> forbidden;    // no match where one of them is part of the design
-    std::vector<Region> voids;               // no match where the design has more than the match itself in one of them
+    std::vector<curves::Shape> forbidden;  // no match where one of them is part of the design
+    std::vector<Region> voids;             // no match where the design has more than the match itself in one of them
     const Expression* condition = nullptr;
     double weight = 1;
-    double priority = 0;          // rules of a lower one apply only where no other does
+    double priority = 0;           // rules of a lower one apply only where no other does
     curves::MatchOptions options;  // which maps its left side may take, and how closely it must fit
 };
 
@@ -47,8 +47,8 @@ enum class Pick : std::uint8_t { random, first, all };
 // apply NAME at PLACE [angle A] [scale S] [mirrored] [orbit]
 struct ApplyAt {
     std::uint32_t rule = 0;
-    std::string name;  // of the state behind it, for `back to`; else empty
-    Vec place;         // px
+    std::string name;                    // of the state behind it, for `back to`; else empty
+    Vec place;                           // px
     std::optional<double> angle, scale;  // degrees, factor
     bool is_mirrored = false;
     bool is_orbit = false;  // at all places that the symmetries of the design take this one to
@@ -62,9 +62,9 @@ struct BackTo {
 
 // What a drawing shows beside the design.
 struct Show {
-    bool control_polygons = false;  // as QI draws them
-    bool points = false;            // the ends of elements
-    bool labels = false;            // labelled points, with their labels
+    bool control_polygons = false;       // as QI draws them
+    bool points = false;                 // the ends of elements
+    bool labels = false;                 // labelled points, with their labels
     std::vector<std::uint32_t> matches;  // rules whose matches are shown
     std::optional<std::uint32_t> film;   // all states side by side, in so many columns; 0: as many as rows
 };
@@ -74,12 +74,11 @@ struct Grammar {
     curves::Shape start;
     std::vector<Rule> rules;
     std::map<std::uint32_t, std::string> labels;  // by layer
-    double tolerance = 0;  // px: what lies so near is the same
+    double tolerance = 0;                         // px: what lies so near is the same
     std::uint64_t steps = 0;
     Pick pick = Pick::random;
     std::vector<std::variant<ApplyAt, BackTo>> by_hand;  // in the document's order
     Show show;
-
 };
 
 std::optional<std::uint32_t> find_rule(const Grammar& grammar, std::string_view name);

@@ -36,10 +36,9 @@ std::vector<OperatorDescription> make_words() {
                          "slide = petal -> translate(2, 2) * petal match translation"));
     words.push_back(word("isometry", "moved, turned and mirrored", {reflections_parameter(), weights_parameter()},
                          section, "slide = petal -> translate(2, 2) * petal match isometry(reflections: false)"));
-    std::vector<ParameterDescription> scaled = {reflections_parameter(),
-                                                scale_parameter("min_scale", "no smaller than this", "0"),
-                                                scale_parameter("max_scale", "no larger than this; 0: as large as any", "0"),
-                                                weights_parameter()};
+    std::vector<ParameterDescription> scaled = {
+        reflections_parameter(), scale_parameter("min_scale", "no smaller than this", "0"),
+        scale_parameter("max_scale", "no larger than this; 0: as large as any", "0"), weights_parameter()};
     words.push_back(word("similarity", "moved, turned, mirrored and scaled", scaled, section,
                          "slide = petal -> translate(2, 2) * petal match similarity(max_scale: 2)"));
     words.push_back(word("affine", "stretched and sheared, too", scaled, "Jowers & Earl, section 5",
@@ -49,7 +48,8 @@ std::vector<OperatorDescription> make_words() {
                            .type = ParameterType::flag,
                            .help = "whether its corners are named the other way round, too",
                            .default_text = "true"}},
-                         "Stiny, Ice-ray", "cut = rectangle(1, 1) -> rectangle(1, 1) + line((0, -0.5), (0, 0.5)) match corners"));
+                         "Stiny, Ice-ray",
+                         "cut = rectangle(1, 1) -> rectangle(1, 1) + line((0, -0.5), (0, 0.5)) match corners"));
     std::vector<ParameterDescription> visual = {
         {.name = "tolerance", .type = ParameterType::length, .help = "how far what is found may lie off", .low = 1e-9},
         {.name = "maps",
@@ -58,8 +58,8 @@ std::vector<OperatorDescription> make_words() {
          .default_text = "similarity",
          .words = {"translation", "isometry", "similarity"}}};
     visual.insert(visual.end(), scaled.begin(), scaled.end());
-    words.push_back(word("visual", "by looks: curves of other descriptors that lie as near as the tolerance, too", visual,
-                         "Jowers & Earl, section 5, figure 23",
+    words.push_back(word("visual", "by looks: curves of other descriptors that lie as near as the tolerance, too",
+                         visual, "Jowers & Earl, section 5, figure 23",
                          "slide = petal -> translate(2, 2) * petal match visual(0.2)"));
     return words;
 }
@@ -120,8 +120,9 @@ Result<MatchWord> match_of(const Value& value, const Document& document) {
         const double most = number_of(form, "max_scale");
         word.options.max_scale = most > 0 ? most : unbounded;
         if (word.options.min_scale > word.options.max_scale) {
-            return error("shape.empty-scale", "no scale is at least " + to_text(argument_of(form, "min_scale")) +
-                                                  " and at most " + to_text(argument_of(form, "max_scale")),
+            return error("shape.empty-scale",
+                         "no scale is at least " + to_text(argument_of(form, "min_scale")) + " and at most " +
+                             to_text(argument_of(form, "max_scale")),
                          value.span);
         }
     }

@@ -138,7 +138,8 @@ private:
                 if (!tolerance) {
                     fail(tolerance.diagnostics());
                 } else if (!(*tolerance >= least_tolerance && *tolerance <= 1000)) {
-                    fail(error("shape.bad-tolerance", "'tolerance' takes a length above 0 and up to 1000px", value.span));
+                    fail(error("shape.bad-tolerance", "'tolerance' takes a length above 0 and up to 1000px",
+                               value.span));
                 } else {
                     grammar_.tolerance = *tolerance;
                 }
@@ -154,9 +155,12 @@ private:
         const std::optional<Value> value = value_of(expression, with_words({"*"}, {}));
         if (!value) return;
         const std::string word = plain_text(*value);
-        if (word == "random") grammar_.pick = Pick::random;
-        else if (word == "first") grammar_.pick = Pick::first;
-        else if (word == "all") grammar_.pick = Pick::all;
+        if (word == "random")
+            grammar_.pick = Pick::random;
+        else if (word == "first")
+            grammar_.pick = Pick::first;
+        else if (word == "all")
+            grammar_.pick = Pick::all;
         else {
             std::vector<std::string> hints = did_you_mean(word, {"random", "first", "all"});
             if (hints.empty()) hints.push_back("one of random, first and all");
@@ -189,9 +193,12 @@ private:
         const auto* word = std::get_if<Symbol>(&value.data);
         const std::string name = call != nullptr ? call->name : word != nullptr ? word->name : plain_text(value);
         Show& show = grammar_.show;
-        if (name == "control_polygons") show.control_polygons = true;
-        else if (name == "points") show.points = true;
-        else if (name == "labels") show.labels = true;
+        if (name == "control_polygons")
+            show.control_polygons = true;
+        else if (name == "points")
+            show.points = true;
+        else if (name == "labels")
+            show.labels = true;
         else if (name == "film") {
             show.film = 0;
             if (call == nullptr || call->arguments.empty()) return;
@@ -215,7 +222,8 @@ private:
                 if (const auto found = find_rule(grammar_, rule)) {
                     show.matches.push_back(*found);
                 } else {
-                    fail(error("language.unknown-rule", "there is no rule '" + rule + "'", span, did_you_mean(rule, known)));
+                    fail(error("language.unknown-rule", "there is no rule '" + rule + "'", span,
+                               did_you_mean(rule, known)));
                 }
             }
         } else {
@@ -268,7 +276,8 @@ private:
             }
         }
         if (grammar_.start.elements.empty() && !is_empty_word(values)) {
-            fail(error("shape.empty-start", "nothing of this start is longer than the tolerance", starts[0]->value->span));
+            fail(error("shape.empty-start", "nothing of this start is longer than the tolerance",
+                       starts[0]->value->span));
         }
     }
     static bool is_empty_word(const std::vector<Value>& values) {
@@ -387,12 +396,12 @@ private:
         const std::vector<curves::Face> faces = convex_faces(rule.left, grammar_.tolerance);
         const bool is_polygon = faces.size() == 1 && faces[0].corners.size() == rule.left.elements.size();
         if (!is_polygon) {
-            fail(error("shape.no-polygon", "`match corners` wants one convex polygon of straight lines on the left side",
-                       span, {"such as rectangle(1, 1) or polygon(3, 1)"}));
+            fail(error("shape.no-polygon",
+                       "`match corners` wants one convex polygon of straight lines on the left side", span,
+                       {"such as rectangle(1, 1) or polygon(3, 1)"}));
         }
-        const bool has_arcs = std::any_of(rule.right.elements.begin(), rule.right.elements.end(), [](const Element& e) {
-            return e.kind == curves::ElementKind::arc;
-        });
+        const bool has_arcs = std::any_of(rule.right.elements.begin(), rule.right.elements.end(),
+                                          [](const Element& e) { return e.kind == curves::ElementKind::arc; });
         if (has_arcs) {
             fail(error("shape.stretched-arc", "arcs cannot be stretched with the corners of a polygon", rule.span,
                        {"use quadratic or cubic curves on the right side"}));
@@ -411,8 +420,8 @@ private:
         Result<Shape> shape = shape_of(*value, reading());
         if (!shape) return fail(shape.diagnostics());
         if (shape->elements.empty()) {
-            return fail(error("shape.empty-condition", "an empty shape is part of every design, so the rule never applies",
-                              expression.span));
+            return fail(error("shape.empty-condition",
+                              "an empty shape is part of every design, so the rule never applies", expression.span));
         }
         rule.forbidden.push_back(std::move(*shape));
     }
@@ -441,7 +450,8 @@ private:
             angle = *degrees;
         }
         if (rule.right_side != nullptr) {
-            return fail(error("shape.no-mirror", "the right side draws at random, so the rule has no mirror image", rule.span));
+            return fail(
+                error("shape.no-mirror", "the right side draws at random, so the rule has no mirror image", rule.span));
         }
         const Transform turned = rotation_degrees(2 * angle);
         const Transform by = compose(turned, scaling(1, -1));
@@ -528,7 +538,8 @@ private:
         for (const Region& region : rule.voids) {
             std::vector<Element> border;
             for (std::size_t i = 0; i < region.corners.size(); ++i) {
-                border.push_back(curves::line_element(region.corners[i], region.corners[(i + 1) % region.corners.size()]));
+                border.push_back(
+                    curves::line_element(region.corners[i], region.corners[(i + 1) % region.corners.size()]));
             }
             asked.push_back(maximal(std::move(border), grammar_.tolerance));
         }

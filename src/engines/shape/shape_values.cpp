@@ -61,8 +61,8 @@ Diagnostic not_a_shape(const Value& value, std::string_view wanted) {
 }
 
 // The call with a value for every parameter of its form.
-Result<SymbolicCall> bound(const SymbolicCall& call, const std::vector<OperatorDescription>& forms,
-                           const Value& value, const ValueReading& reading) {
+Result<SymbolicCall> bound(const SymbolicCall& call, const std::vector<OperatorDescription>& forms, const Value& value,
+                           const ValueReading& reading) {
     ParameterDescription parameter{.name = "shape", .type = ParameterType::form};
     parameter.forms = &forms;
     Result<Value> converted = to_form(parameter, Value{call, value.span}, reading.document, value.span);
@@ -70,8 +70,8 @@ Result<SymbolicCall> bound(const SymbolicCall& call, const std::vector<OperatorD
     return std::get<SymbolicCall>(std::move(converted->data));
 }
 
-Result<std::vector<Element>> elements_of_path(const SymbolicCall& call, const Value& value,
-                                              const ValueReading& reading, const Ink& ink) {
+Result<std::vector<Element>> elements_of_path(const SymbolicCall& call, const Value& value, const ValueReading& reading,
+                                              const Ink& ink) {
     Result<Path> path = parse_path_data(text_of(call, "data"));
     if (!path) {
         Diagnostic problem = path.diagnostics().front();
@@ -132,15 +132,14 @@ Result<std::vector<Element>> elements_of_form(const SymbolicCall& call, const Va
         add_lines(elements, {centre + Vec{-x, -y}, centre + Vec{x, -y}, centre + Vec{x, y}, centre + Vec{-x, y}}, true,
                   ink);
     } else if (call.name == "polygon") {
-        add_lines(elements,
-                  ring_of(static_cast<int>(number_of(call, "sides")), number_of(call, "radius"),
-                          point_of(call, "centre")),
-                  true, ink);
+        add_lines(
+            elements,
+            ring_of(static_cast<int>(number_of(call, "sides")), number_of(call, "radius"), point_of(call, "centre")),
+            true, ink);
     } else if (call.name == "point") {
         const std::string& label = text_of(call, "label");
         if (reading.labels != nullptr) reading.labels->insert_or_assign(layer_of_label(label), label);
-        take(elements, curves::point_element(point_of(call, "at")),
-             {layer_of_label(label), ink.weight});
+        take(elements, curves::point_element(point_of(call, "at")), {layer_of_label(label), ink.weight});
     }
     return elements;
 }
@@ -243,13 +242,15 @@ Result<Transform> transform_of(const Value& value, const ValueReading& reading) 
 
 bool is_region(const Value& value) {
     const auto* call = std::get_if<SymbolicCall>(&value.data);
-    if (call != nullptr && call->name == "*" && !call->arguments.empty()) return is_region(call->arguments.back().value);
+    if (call != nullptr && call->name == "*" && !call->arguments.empty())
+        return is_region(call->arguments.back().value);
     return shape_kind(value) == ShapeKind::region;
 }
 
 Result<Region> region_of(const Value& value, const ValueReading& reading) {
     const auto* call = std::get_if<SymbolicCall>(&value.data);
-    if (call == nullptr || shape_kind(value) != ShapeKind::region) return not_a_shape(value, "a region such as box(...)");
+    if (call == nullptr || shape_kind(value) != ShapeKind::region)
+        return not_a_shape(value, "a region such as box(...)");
     if (call->name == "*") {
         Result<Region> region = region_of(call->arguments.back().value, reading);
         for (std::size_t i = call->arguments.size() - 1; region && i-- > 0;) {

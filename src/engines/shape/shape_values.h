@@ -22,7 +22,7 @@ namespace filigree::shape {
 struct ValueReading {
     const Document& document;
     const ShapeSource& files;
-    double tolerance = 0;  // px; of sums, differences and products
+    double tolerance = 0;                                    // px; of sums, differences and products
     std::map<std::uint32_t, std::string>* labels = nullptr;  // gets the labels that are met, by layer
 };
 
