@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "base/random.h"
 #include "curves/algebra.h"
-#include "curves/detect.h"
-#include "curves/maximal.h"
 #include "curves/moments.h"
 
 namespace filigree::curves {
@@ -22,11 +22,112 @@ std::uint64_t kinds_of(const Shape& shape) {
     return hash;
 }
 
-Shape moved(const Shape& shape, const Transform& by, double tolerance) {
-    std::vector<Element> elements;
-    for (const Element& e : shape.elements) elements.push_back(transformed(e, by));
-    return maximal(std::move(elements), tolerance);
+// A place by which an element can be recognised: an end; of a whole ellipse a tip, of a whole circle the middle.
+struct Mark {
+    Vec at;               // from the middle of the shape
+    double distance = 0;  // px
+    std::uint32_t element = 0;
+};
+
+std::vector<Mark> marks_of(const Shape& shape, Vec middle) {
+    std::vector<Mark> marks;
+    for (std::uint32_t i = 0; i < shape.elements.size(); ++i) {
+        const Element& e = shape.elements[i];
+        const auto add = [&](Vec p) { marks.push_back({p - middle, length(p - middle), i}); };
+        if (e.kind == ElementKind::point || (is_closed(e) && is_circular(e))) {
+            add(e.at[0]);
+        } else {
+            const auto [first, last] = is_closed(e) ? std::pair(e.at[0] + e.at[1], e.at[0] - e.at[1]) : ends_of(e);
+            add(first);
+            add(last);
+        }
+    }
+    return marks;
 }
+
+bool are_of_one_sort(const Element& a, const Element& b) {
+    return a.kind == b.kind && a.layer == b.layer && a.weight == b.weight && is_closed(a) == is_closed(b);
+}
+
+// Whether a shape is another, moved: by their middles and one mark, which fix a similarity. Every mark that may be
+// where the chosen one went is tried; most ways fail at the next mark.
+class Comparison {
+public:
+    Comparison(const Shape& a, const Shape& b, double scale, double slack)
+        : a_(a), b_(b), of_a_(moments_of(a)), of_b_(moments_of(b)), scale_(scale), slack_(slack) {
+        marks_of_a_ = marks_of(a, of_a_.middle);
+        by_distance_ = marks_of(b, of_b_.middle);
+        by_x_ = by_distance_;
+        std::sort(by_distance_.begin(), by_distance_.end(),
+                  [](const Mark& p, const Mark& q) { return p.distance < q.distance; });
+        std::sort(by_x_.begin(), by_x_.end(), [](const Mark& p, const Mark& q) { return p.at.x < q.at.x; });
+    }
+
+    bool finds_any(bool with_reflections) const {
+        if (marks_of_a_.size() != by_x_.size()) return false;
+        const Mark* const pivot = rarest_mark();
+        if (pivot == nullptr) return agrees(Vec{scale_, 0}, false);  // round about the middle
+        for (const Mark& mark : candidates(*pivot)) {
+            if (!are_of_one_sort(a_.elements[pivot->element], b_.elements[mark.element])) continue;
+            for (int mirrored = 0; mirrored <= (with_reflections ? 1 : 0); ++mirrored) {
+                const Vec p = mirrored != 0 ? Vec{pivot->at.x, -pivot->at.y} : pivot->at;
+                // mark / p as complex numbers, at the known scale.
+                const Vec turn{dot(p, mark.at), cross(p, mark.at)};
+                if (agrees(turn * (scale_ / length(turn)), mirrored != 0)) return true;
+            }
+        }
+        return false;
+    }
+
+private:
+    std::span<const Mark> candidates(const Mark& mark) const {
+        const auto is_nearer = [](const Mark& m, double distance) { return m.distance < distance; };
+        const double wanted = scale_ * mark.distance;
+        const auto from = std::lower_bound(by_distance_.begin(), by_distance_.end(), wanted - slack_, is_nearer);
+        const auto to = std::lower_bound(from, by_distance_.end(), wanted + slack_, is_nearer);
+        return {from, to};
+    }
+
+    // Of those far out, which fix the turn well, the one that fewest marks of the other shape may be; null where all
+    // lie in the middle.
+    const Mark* rarest_mark() const {
+        double farthest = 0;
+        for (const Mark& mark : marks_of_a_) farthest = std::max(farthest, mark.distance);
+        if (farthest * scale_ <= 4 * slack_) return nullptr;
+        const Mark* best = nullptr;
+        std::size_t fewest = SIZE_MAX;
+        for (const Mark& mark : marks_of_a_) {
+            if (mark.distance < 0.5 * farthest) continue;
+            const std::size_t count = candidates(mark).size();
+            if (count < fewest) best = &mark;
+            fewest = std::min(fewest, count);
+        }
+        return best;
+    }
+
+    bool agrees(Vec m, bool is_mirrored) const {
+        const Transform turned =
+            is_mirrored ? Transform{m.x, m.y, m.y, -m.x, 0, 0} : Transform{m.x, m.y, -m.y, m.x, 0, 0};
+        for (const Mark& mark : marks_of_a_) {
+            const Vec there = apply(turned, mark.at);
+            const auto is_left = [](const Mark& other, double x) { return other.at.x < x; };
+            auto at = std::lower_bound(by_x_.begin(), by_x_.end(), there.x - slack_, is_left);
+            while (at != by_x_.end() && at->at.x <= there.x + slack_ &&
+                   (length(at->at - there) > slack_ ||
+                    !are_of_one_sort(a_.elements[mark.element], b_.elements[at->element]))) {
+                ++at;
+            }
+            if (at == by_x_.end() || at->at.x > there.x + slack_) return false;
+        }
+        const Transform by = compose(translation(of_b_.middle), compose(turned, translation(-of_a_.middle)));
+        return are_equal(transformed(a_, by), b_, slack_);
+    }
+
+    const Shape &a_, &b_;
+    Moments of_a_, of_b_;
+    double scale_, slack_;
+    std::vector<Mark> marks_of_a_, by_distance_, by_x_;  // the last two of b
+};
 
 }  // namespace
 
@@ -34,46 +135,36 @@ Fingerprint fingerprint(const Shape& shape, UpTo up_to) {
     Fingerprint print;
     print.kinds = kinds_of(shape);
     const Moments moments = moments_of(shape);
-    if (!(moments.length > 0)) return print;
-    const Vec middle = moments.first * (1 / moments.length);
-    // How far the curves spread about their middle, along x, along y and in all.
-    const double x = std::sqrt(std::max(0.0, moments.xx / moments.length - middle.x * middle.x));
-    const double y = std::sqrt(std::max(0.0, moments.yy / moments.length - middle.y * middle.y));
-    const double spread = std::hypot(x, y);
     switch (up_to) {
         case UpTo::nothing:
-            print.values = {middle.x, middle.y, spread};
+            print.values = {moments.middle.x, moments.middle.y, moments.spread};
             break;
         case UpTo::translation:
-            print.values = {moments.length, x, y};
+            print.values = {moments.length, moments.along_x, moments.along_y};
             break;
         case UpTo::isometry:
-            print.values = {moments.length, spread, 0};
+            print.values = {moments.length, moments.spread, 0};
             break;
         case UpTo::similarity:
-            print.values = {spread > 0 ? moments.length / spread : 0, 0, 0};
+            // Points alone have no length that grows as they spread.
+            print.values = {has_curves(shape) ? moments.length / moments.spread : 0, 0, 0};
             break;
     }
     return print;
 }
 
-bool are_same_design(const Shape& a, const Shape& b, UpTo up_to, double tolerance) {
+bool are_same_design(const Shape& a, const Shape& b, UpTo up_to, double tolerance, bool with_reflections) {
     const double slack = 4 * tolerance;
-    if (a.elements.size() != b.elements.size()) return false;
+    if (a.elements.size() != b.elements.size() || kinds_of(a) != kinds_of(b)) return false;
     if (up_to == UpTo::nothing || a.elements.empty()) return are_equal(a, b, slack);
+    const Moments of_a = moments_of(a), of_b = moments_of(b);
     if (up_to == UpTo::translation) {
-        const Moments from = moments_of(a), to = moments_of(b);
-        const Vec by = to.first * (1 / to.length) - from.first * (1 / from.length);
-        return are_equal(moved(a, translation(by), tolerance), b, slack);
+        return are_equal(transformed(a, translation(of_b.middle - of_a.middle)), b, slack);
     }
-    MatchOptions options;
-    options.group = up_to == UpTo::isometry ? MatchGroup::isometry : MatchGroup::similarity;
-    options.tolerance = slack;
-    options.weights = WeightRule::equal;
-    const MatchIndex index(b, slack);
-    const Matches matches = find_matches(a, index, options);
-    return std::any_of(matches.found.begin(), matches.found.end(),
-                       [&](const Match& match) { return are_equal(moved(a, match.by, tolerance), b, slack); });
+    const bool may_grow = up_to == UpTo::similarity && of_a.spread > 0 && of_b.spread > 0;
+    const double scale = may_grow ? of_b.spread / of_a.spread : 1;
+    if (std::fabs(of_a.spread * scale - of_b.spread) > slack) return false;
+    return Comparison(a, b, scale, slack).finds_any(with_reflections);
 }
 
 std::optional<std::uint32_t> DesignSet::find_or_add(const Shape& design, std::uint32_t number) {
@@ -95,7 +186,7 @@ std::optional<std::uint32_t> DesignSet::find_or_add(const Shape& design, std::ui
         const auto found = buckets_.find(bucket);
         if (found == buckets_.end()) continue;
         for (const Entry& entry : found->second) {
-            if (are_same_design(entry.design, design, up_to_, tolerance_)) return entry.number;
+            if (are_same_design(entry.design, design, up_to_, tolerance_, with_reflections_)) return entry.number;
         }
     }
     buckets_[own].push_back({design, number});

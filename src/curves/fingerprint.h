@@ -14,7 +14,7 @@
 
 namespace filigree::curves {
 
-// What equal designs may differ by; the last two include reflections.
+// What equal designs may differ by; the last two include reflections unless these are ruled out.
 enum class UpTo : std::uint8_t { nothing, translation, isometry, similarity };
 
 struct Fingerprint {
@@ -23,13 +23,15 @@ struct Fingerprint {
 };
 Fingerprint fingerprint(const Shape& shape, UpTo up_to);
 
-// Whether some map of the kind carries one onto the other, to within four tolerances.
-bool are_same_design(const Shape& a, const Shape& b, UpTo up_to, double tolerance);
+// Whether some map of the kind carries one onto the other, to within four tolerances. Both maximal, with as many
+// elements of each kind.
+bool are_same_design(const Shape& a, const Shape& b, UpTo up_to, double tolerance, bool with_reflections = true);
 
 // Designs, each once, under numbers.
 class DesignSet {
 public:
-    DesignSet(UpTo up_to, double tolerance) : up_to_(up_to), tolerance_(tolerance) {}
+    DesignSet(UpTo up_to, double tolerance, bool with_reflections = true)
+        : up_to_(up_to), tolerance_(tolerance), with_reflections_(with_reflections) {}
 
     // The number of an equal design; else none, and the design is added under its own.
     std::optional<std::uint32_t> find_or_add(const Shape& design, std::uint32_t number);
@@ -43,6 +45,7 @@ private:
 
     UpTo up_to_;
     double tolerance_;
+    bool with_reflections_;
     std::map<Bucket, std::vector<Entry>> buckets_;  // looked up only
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/test_cases.h"
+#include "curves/along.h"
 
 namespace filigree::curves {
 namespace {
@@ -42,6 +43,37 @@ TEST(Intrinsic, ComparesPartsOfOneParabola) {
     EXPECT_DOUBLE_EQ(map->nu[0], -0.5);
     EXPECT_DOUBLE_EQ(map->mu[1], -1.5);
     EXPECT_DOUBLE_EQ(map->nu[1], 1);
+}
+
+TEST(Intrinsic, ComparesAMirroredPart) {
+    const Element whole = parabola_element({0, 0}, {1, 0}, {2, 1});
+    // z -> 2.5 e^(30 degrees i) conj z + 4 - i.
+    const Vec m = unit_at_degrees(30) * 2.5;
+    const Element part = piece_of(whole, {1.0 / 3, 4.0 / 3}), moved = transformed(part, {m.x, m.y, m.y, -m.x, 4, -1});
+    const Vec expected[] = {{5.582265, -0.407229}, {8.163995, 0.121083}, {11.995725, -1.515668}};
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(length(moved.at[i] - expected[i]), 1e-6);
+    const Curvature first = curvature_of(whole), second = curvature_of(moved);
+    EXPECT_NEAR(second.D, -25, 1e-12);
+    const auto map = intrinsic_map(first, second);
+    ASSERT_TRUE(map);
+    EXPECT_NEAR(std::fabs(map->lambda), 0.4, 1e-12);
+    EXPECT_NEAR(std::fabs(map->mu[0]), 1, 1e-12);
+    EXPECT_NEAR(map->nu[0], -1.0 / 3, 1e-12);
+    EXPECT_NEAR(map->nu[1], -1.0 / 3, 1e-12);
+    EXPECT_TRUE(along(whole, part, 1e-9));
+    EXPECT_FALSE(misfit(whole, part, 0.1));
+}
+
+// The maps that the page tells for the first two vectors lay one descriptor onto the other.
+TEST(Intrinsic, MapsAreThoseOfThePlane) {
+    const Element small = parabola_element({0, 0}, {1, 0}, {2, 1}), large = parabola_element({3, 0}, {3, 2}, {1, 4});
+    EXPECT_TRUE(along(small, transformed(large, {0, -0.5, 0.5, 0, 0, 1.5}), 1e-12));
+    EXPECT_TRUE(along(small, transformed(large, {0, -0.5, -0.5, 0, 0, 1.5}), 1e-12));
+    const Element flower = parabola_element({-3, 3}, {0, -6}, {3, 3}),
+                  petal = parabola_element({1, 1}, {3, -1}, {5, 5});
+    EXPECT_TRUE(along(flower, transformed(petal, translation({-2, -2})), 1e-12));
+    EXPECT_TRUE(along(flower, transformed(petal, {-1, 0, 0, 1, 2, -2}), 1e-12));
+    EXPECT_FALSE(along(flower, petal, 1e-3));
 }
 
 TEST(Intrinsic, KnowsNoMapOfLines) {
