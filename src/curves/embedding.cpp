@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "curves/along.h"
+#include "curves/weights.h"
 
 namespace filigree::curves {
 namespace {
@@ -47,10 +48,7 @@ Embedding::Embedding(const Shape& left, const MatchIndex& design, const MatchOpt
 
 bool Embedding::may_carry(const Glimpse& carrier, const Element& part) const {
     if (carrier.kind != part.kind || carrier.layer != part.layer) return false;
-    // Weights are what documents say, so they are compared but for rounding.
-    const double slack = 1e-9 * part.weight;
-    if (carrier.weight < part.weight - slack) return false;
-    return options_.weights == WeightRule::at_least || carrier.weight <= part.weight + slack;
+    return is_heavy_enough(carrier.weight, part.weight, options_.weights);
 }
 
 bool Embedding::lay(Laid& laid, std::span<const double> reach) const {

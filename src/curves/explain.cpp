@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/elementary.h"
 #include "base/number_text.h"
 #include "curves/along.h"
 #include "curves/explain_candidates.h"
+#include "curves/match_order.h"
 #include "curves/nearest.h"
 #include "curves/refine.h"
+#include "curves/weights.h"
 
 namespace filigree::curves {
 namespace {
@@ -70,9 +71,7 @@ private:
     };
 
     bool has_weight(const Element& carrier, const Element& part) const {
-        const double slack = 1e-9 * part.weight;
-        if (carrier.weight < part.weight - slack) return false;
-        return options_.weights == WeightRule::at_least || carrier.weight <= part.weight + slack;
+        return is_heavy_enough(carrier.weight, part.weight, options_.weights);
     }
 
     // The carriers of the left elements that lie on one within a reach (of each its own); null where there is none.
@@ -166,10 +165,6 @@ private:
         return options_.group == MatchGroup::isometry || options_.group == MatchGroup::translation;
     }
     static double scale_of(const Transform& by) { return std::sqrt(std::fabs(determinant(by))); }
-    static double angle_of(const Transform& by) {
-        const double degrees = elementary::atan2(by.b, by.a) * (180 / elementary::pi);
-        return degrees < 0 ? degrees + 360 : degrees;
-    }
     // How much something must be turned or grown that the left side reaches a tolerance farther.
     double slack() const { return options_.tolerance / std::max(reach_, options_.tolerance) + 1e-9; }
     bool is_scale_outside(const Transform& by) const {

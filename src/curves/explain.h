@@ -52,10 +52,10 @@ struct Explanation {
     bool operator==(const Explanation&) const = default;
 };
 
-// The embedding with the fewest faults: elements that lack something, and ways in which it leaves the group; among those
-// the one that lacks least. Where a place is given, those come first that cover it, and among those with equally many
-// faults the one whose centroid is nearest to it.
-// The work is bounded; in large designs it looks at a part of what could be meant, by a place at what is near it.
+// The embedding with the fewest faults: elements that lack something, and ways in which it leaves the group; among
+// those the one that lacks least. Where a place is given, those come first that cover it, and among those with equally
+// many faults the one whose centroid is nearest to it. The work is bounded; in large designs it looks at a part of what
+// could be meant, by a place at what is near it.
 Explanation explain(const Shape& left, const MatchIndex& design, const MatchOptions& options,
                     std::optional<Vec> near = std::nullopt);
 

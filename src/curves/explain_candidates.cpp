@@ -15,50 +15,50 @@ namespace {
 constexpr std::size_t most_candidates = 20000, most_kept = 200000, most_left_out = 16;
 
 // A point of an element by which it may be laid onto another one.
-struct Anchor {
+struct Mark {
     enum class Kind : std::uint8_t { contact, end, centre };
     Kind kind = Kind::end;
     Vec at;
     Contact contact;
 };
 
-std::vector<Anchor> anchors_on(const Element& e, std::span<const Element> others, double reach) {
-    std::vector<Anchor> anchors;
+std::vector<Mark> marks_on(const Element& e, std::span<const Element> others, double reach) {
+    std::vector<Mark> marks;
     for (const Element& other : others) {
         if (other == e) continue;
         for (const Contact& contact : contacts_of(e, other, reach)) {
-            anchors.push_back({Anchor::Kind::contact, contact.at, contact});
+            marks.push_back({Mark::Kind::contact, contact.at, contact});
         }
     }
-    if (e.kind == ElementKind::arc) anchors.push_back({Anchor::Kind::centre, e.at[0], {}});
+    if (e.kind == ElementKind::arc) marks.push_back({Mark::Kind::centre, e.at[0], {}});
     if (!is_closed(e)) {
         const auto [first, last] = ends_of(e);
-        anchors.push_back({Anchor::Kind::end, first, {}});
-        anchors.push_back({Anchor::Kind::end, last, {}});
+        marks.push_back({Mark::Kind::end, first, {}});
+        marks.push_back({Mark::Kind::end, last, {}});
     }
-    return anchors;
+    return marks;
 }
 
-struct AnchorPair {
-    Anchor first, last;
+struct MarkPair {
+    Mark first, last;
 };
 
 // A few pairs by which an element should be laid: by contacts where it has two, else by its ends, too, which mean
 // nothing where it is embedded. Of arcs the centre is the first.
-std::vector<AnchorPair> pairs_on(const Element& e, std::span<const Element> others, double reach) {
-    std::vector<Anchor> anchors = anchors_on(e, others, reach), contacts;
-    std::copy_if(anchors.begin(), anchors.end(), std::back_inserter(contacts),
-                 [](const Anchor& a) { return a.kind == Anchor::Kind::contact; });
-    std::vector<AnchorPair> pairs;
+std::vector<MarkPair> pairs_on(const Element& e, std::span<const Element> others, double reach) {
+    std::vector<Mark> marks = marks_on(e, others, reach), contacts;
+    std::copy_if(marks.begin(), marks.end(), std::back_inserter(contacts),
+                 [](const Mark& a) { return a.kind == Mark::Kind::contact; });
+    std::vector<MarkPair> pairs;
     if (e.kind == ElementKind::arc) {
-        const auto centre = std::find_if(anchors.begin(), anchors.end(),
-                                         [](const Anchor& a) { return a.kind == Anchor::Kind::centre; });
-        const Anchor at_centre = *centre;
-        anchors.erase(centre);
-        for (const Anchor& a : contacts.empty() ? anchors : contacts) pairs.push_back({at_centre, a});
+        const auto centre =
+            std::find_if(marks.begin(), marks.end(), [](const Mark& a) { return a.kind == Mark::Kind::centre; });
+        const Mark at_centre = *centre;
+        marks.erase(centre);
+        for (const Mark& a : contacts.empty() ? marks : contacts) pairs.push_back({at_centre, a});
         return pairs;
     }
-    const std::vector<Anchor>& used = contacts.size() < 2 ? anchors : contacts;
+    const std::vector<Mark>& used = contacts.size() < 2 ? marks : contacts;
     std::optional<std::pair<std::size_t, std::size_t>> widest;
     for (std::size_t i = 0; i < used.size(); ++i) {
         for (std::size_t j = i + 1; j < used.size(); ++j) {
@@ -77,11 +77,11 @@ std::vector<AnchorPair> pairs_on(const Element& e, std::span<const Element> othe
     return pairs;
 }
 
-// Whether one anchor may come to lie on another when +x is turned to m.
-bool do_agree(const Anchor& own, const Anchor& other, Vec m, bool is_reflected) {
-    if ((own.kind == Anchor::Kind::centre) != (other.kind == Anchor::Kind::centre)) return false;
-    if (own.kind != Anchor::Kind::contact) return true;
-    if (other.kind != Anchor::Kind::contact || own.contact.other != other.contact.other) return false;
+// Whether one mark may come to lie on another when +x is turned to m.
+bool do_agree(const Mark& own, const Mark& other, Vec m, bool is_reflected) {
+    if ((own.kind == Mark::Kind::centre) != (other.kind == Mark::Kind::centre)) return false;
+    if (own.kind != Mark::Kind::contact) return true;
+    if (other.kind != Mark::Kind::contact || own.contact.other != other.contact.other) return false;
     const Vec way = is_reflected ? conjugate(own.contact.other_way) : own.contact.other_way;
     constexpr double sine = 0.01;  // what lacks a little is turned a little
     return std::fabs(cross(times(m, way), other.contact.other_way)) <= sine * length(m);
@@ -105,7 +105,7 @@ public:
             if (is_cancelled(options_.job)) found_.is_complete = false;
             if (is_cancelled(options_.job)) break;
             if (e.kind == ElementKind::parabola) lay_by_frame(e);
-            if (e.kind != ElementKind::parabola && e.kind != ElementKind::point) lay_by_anchors(e);
+            if (e.kind != ElementKind::parabola && e.kind != ElementKind::point) lay_by_marks(e);
             close_source(quota);
         }
         lay_by_centres();
@@ -201,15 +201,15 @@ private:
         }
     }
 
-    void lay_by_anchors(const Element& own) {
+    void lay_by_marks(const Element& own) {
         // Contacts of the left side are as good as drawn; those of the design may be just what lacks a little.
-        const std::vector<AnchorPair> pairs = pairs_on(own, left_.elements, 2 * options_.tolerance);
+        const std::vector<MarkPair> pairs = pairs_on(own, left_.elements, 2 * options_.tolerance);
         if (pairs.empty()) return;
         for (const std::uint32_t slot : design_.slots_of(own.kind)) {
-            const std::vector<Anchor>& anchors = anchors_of_slot(slot);
-            for (const AnchorPair& pair : pairs) {
-                for (const Anchor& first : anchors) {
-                    for (const Anchor& last : anchors) {
+            const std::vector<Mark>& marks = marks_of_slot(slot);
+            for (const MarkPair& pair : pairs) {
+                for (const Mark& first : marks) {
+                    for (const Mark& last : marks) {
                         if (first.at != last.at) lay(pair, first, last);
                     }
                 }
@@ -218,7 +218,7 @@ private:
         }
     }
 
-    void lay(const AnchorPair& pair, const Anchor& first, const Anchor& last) {
+    void lay(const MarkPair& pair, const Mark& first, const Mark& last) {
         const Vec way = pair.last.at - pair.first.at, to = last.at - first.at;
         for (const bool is_reflected : {false, true}) {
             const Vec m = over(to, is_reflected ? conjugate(way) : way);
@@ -232,18 +232,18 @@ private:
         }
     }
 
-    const std::vector<Anchor>& anchors_of_slot(std::uint32_t slot) {
-        if (anchors_.empty()) anchors_.resize(design_.slot_count());
-        if (!anchors_[slot]) {
+    const std::vector<Mark>& marks_of_slot(std::uint32_t slot) {
+        if (marks_.empty()) marks_.resize(design_.slot_count());
+        if (!marks_[slot]) {
             const Element& e = design_.element(slot);
             const double reach = 0.05 * rough_length(e);
             std::vector<Element> others;
             for (const std::uint32_t number : numbers_near(design_.grid(), e, reach)) {
                 if (number != slot) others.push_back(design_.element(number));
             }
-            anchors_[slot] = anchors_on(e, others, reach);
+            marks_[slot] = marks_on(e, others, reach);
         }
-        return *anchors_[slot];
+        return *marks_[slot];
     }
 
     // By labelled points and the centres of arcs: the widest pair of the left side onto all pairs; one alone as it
@@ -310,7 +310,7 @@ private:
     Vec centroid_;
     double reach_;
     std::vector<Offer> offers_;
-    std::vector<std::optional<std::vector<Anchor>>> anchors_;  // of each slot, once they were asked for
+    std::vector<std::optional<std::vector<Mark>>> marks_;  // of each slot, once they were asked for
     Candidates found_;
 };
 
