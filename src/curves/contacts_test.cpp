@@ -30,13 +30,31 @@ TEST(Contacts, CurvesCrossMoreThanOnce) {
     const Element parabola = parabola_element({-2, 4}, {0, -4}, {2, 4});  // y = x^2
     EXPECT_EQ(contacts_of(parabola, line_element({-3, 1}, {3, 1}), 1e-6).size(), 2U);
     EXPECT_EQ(contacts_of(circle_element({0, 0}, 2), circle_element({2, 0}, 2), 1e-6).size(), 2U);
-    EXPECT_EQ(contacts_of(circle_element({0, 0}, 2), circle_element({4, 0}, 2), 1e-6).size(), 0U);  // they touch only
-    const Element across = parabola_element({4, -2}, {-4, 0}, {4, 2});                              // x = y^2
+    const Element across = parabola_element({4, -2}, {-4, 0}, {4, 2});  // x = y^2
     const std::vector<Contact> contacts = contacts_of(parabola, across, 1e-6);
     ASSERT_EQ(contacts.size(), 2U);
     EXPECT_NEAR(contacts[0].at.x, 0, 1e-12);
     EXPECT_NEAR(contacts[1].at.x, 1, 1e-12);
     EXPECT_NEAR(contacts[1].at.y, 1, 1e-12);
+}
+
+TEST(Contacts, WhatTouchesWithoutAnAngleTouchesOnce) {
+    const auto touches = [](const Element& a, const Element& b) {
+        const std::vector<Contact> contacts = contacts_of(a, b, 1e-6);
+        return contacts.size() == 1 && contacts[0].is_tangential ? contacts[0].at : Vec{1e9, 1e9};
+    };
+    EXPECT_LT(length(touches(circle_element({0, 0}, 2), circle_element({4, 0}, 2)) - Vec{2, 0}), 1e-9);
+    EXPECT_LT(length(touches(circle_element({0, 0}, 2), line_element({-3, 2}, {5, 2})) - Vec{0, 2}), 1e-9);
+    // The petal's arcs, at its round end, and where they go on.
+    const Element arc = parabola_element({-3, 3}, {0, -6}, {3, 3}), other = parabola_element({3, -3}, {-6, 0}, {3, 3});
+    EXPECT_EQ(contacts_of(arc, other, 1e-6).size(), 2U);
+    const Element half = parabola_element({-1, -1}, {1, -3}, {3, 3}),
+                  mirrored = parabola_element({-1, -1}, {-3, 1}, {3, 3});
+    EXPECT_EQ(contacts_of(half, mirrored, 1e-6).size(), 2U);
+    // Nothing touches what it lies on.
+    EXPECT_TRUE(contacts_of(circle_element({0, 0}, 2), circle_element({0, 0}, 2), 1e-6).empty());
+    EXPECT_TRUE(contacts_of(half, piece_of(half, {0.3, 1.5}), 1e-6).empty());
+    EXPECT_TRUE(contacts_of(circle_element({0, 0}, 2), circle_element({4.001, 0}, 2), 1e-6).empty());
 }
 
 // Where a part of one element ends on another, that is a contact, whatever their kinds.
