@@ -64,9 +64,6 @@ public:
                  std::span<const Symmetry> symmetries)
         : embedding_(left, design, options), frame_(frame), symmetries_(symmetries) {
         reach_ = reach_of(left, frame, options.tolerance);
-        for (const Vec middle : embedding_.middles()) {
-            centroid_ = centroid_ + middle * (1 / static_cast<double>(left.elements.size()));
-        }
     }
 
     Matches run(const Registrations& own, const Registrations& design) {
@@ -139,7 +136,7 @@ private:
         match.is_reflected = determinant(match.by) < 0;
         match.scale = scale_of(match.by);
         match.angle_degrees = angle_of(match.by);
-        match.centroid = apply(match.by, centroid_);
+        match.centroid = apply(match.by, embedding_.centroid());
         match.misfit = laid_.misfit / options().tolerance;
         match.is_ambiguous = match.misfit > 0.1;
         (match.misfit <= 1 ? matches_.found : matches_.near_misses).push_back(std::move(match));
@@ -149,7 +146,6 @@ private:
     AffineFrame frame_;
     std::span<const Symmetry> symmetries_;
     std::vector<double> reach_;
-    Vec centroid_;
     Laid laid_;
     std::size_t tried_ = 0;
     Matches matches_;

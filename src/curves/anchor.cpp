@@ -46,7 +46,7 @@ public:
         : embedding_(embedding),
           elements_(embedding.left().elements),
           tolerance_(embedding.options().tolerance),
-          apart_(100 * tolerance_) {}
+          apart_(least_distance(embedding.options())) {}
 
     std::vector<Anchor> found() {
         for (std::uint32_t i = 0; i < elements_.size(); ++i) add_curve(i);
@@ -133,10 +133,10 @@ private:
         const Vec place = at(i).at[0], foot = foot_on(at(j), place);
         const double off = length(place - foot), size = length(at(j).at[1] - at(j).at[0]);
         Anchor anchor = made(AnchorKind::place_and_line, {i, j});
-        anchor.is_on_line = off <= 10 * tolerance_;
+        anchor.is_on_line = off <= apart_;
         if (anchor.is_on_line && (at(i).kind != ElementKind::point || keeps_lengths(embedding_.options()))) {
             set_reach(anchor, place, size, 4);
-        } else if (off > apart_) {
+        } else if (!anchor.is_on_line) {
             const double lever = length(foot - embedding_.middles()[j]) / size;
             set_reach(anchor, (place + foot) * 0.5, off, 4 * (1 + lever));
         } else {

@@ -54,6 +54,9 @@ inline bool keeps_lengths(const MatchOptions& options) {
     return options.group == MatchGroup::isometry || options.group == MatchGroup::translation;
 }
 
+// Two places that are no farther apart fix no direction.
+inline double least_distance(const MatchOptions& options) { return 20 * options.tolerance; }
+
 // All curves that are anchors, and others that are worth trying; the best conditioned ones first.
 std::vector<Anchor> anchors_of(const Embedding& embedding);
 inline bool is_curve(const Anchor& anchor) { return anchor.kind <= AnchorKind::ellipse; }

@@ -65,8 +65,8 @@ struct Curve {
         }
         for (const double t : {0.0, 1.0, 0.5, 0.3, 0.8, 0.1, 0.9}) samples.push_back(at(t));
         for (int i = 1; i < 16 && kind == ElementKind::arc; ++i) samples.push_back(at(i / 16.0));
-        for (int i = 0; i <= 48 && kind == ElementKind::cubic; ++i) {
-            trace.push_back(at(i / 48.0));
+        for (std::size_t i = 0; i <= trace_steps && kind == ElementKind::cubic; ++i) {
+            trace.push_back(at(static_cast<double>(i) / trace_steps));
             if (i > 0) longest_step = std::max(longest_step, std::abs(trace.back() - trace[trace.size() - 2]));
         }
     }
@@ -124,8 +124,6 @@ struct Curve {
         return most;
     }
 
-    double extremity() const { return std::max(focal / size(), size() / focal); }
-
     // Of a parabola: its vertex, the unit of the x axis at it, the focal length, and the range of x. Of a line the unit
     // along it and its length.
     Complex vertex, axis{1, 0};
@@ -137,19 +135,18 @@ struct Curve {
 private:
     // By the nearest of some points and a search between its neighbours, from every point that may be nearest.
     bool is_near_cubic(Complex z, double reach) const {
-        constexpr int steps = 48;
-        std::array<double, steps + 1> distance{};
-        for (int i = 0; i <= steps; ++i)
-            distance[static_cast<std::size_t>(i)] = std::abs(trace[static_cast<std::size_t>(i)] - z);
-        for (std::size_t i = 0; i <= steps; ++i) {
+        std::array<double, trace_steps + 1> distance{};  // squared
+        for (std::size_t i = 0; i <= trace_steps; ++i) distance[i] = std::norm(trace[i] - z);
+        const double far = (reach + 2 * longest_step) * (reach + 2 * longest_step);
+        for (std::size_t i = 0; i <= trace_steps; ++i) {
             const bool is_least =
-                (i == 0 || distance[i] <= distance[i - 1]) && (i == steps || distance[i] <= distance[i + 1]);
-            if (!is_least || distance[i] > reach + 2 * longest_step) continue;
-            double a = std::max(0.0, (static_cast<double>(i) - 1) / steps);
-            double b = std::min(1.0, (static_cast<double>(i) + 1) / steps);
+                (i == 0 || distance[i] <= distance[i - 1]) && (i == trace_steps || distance[i] <= distance[i + 1]);
+            if (!is_least || distance[i] > far) continue;
+            double a = std::max(0.0, (static_cast<double>(i) - 1) / trace_steps);
+            double b = std::min(1.0, (static_cast<double>(i) + 1) / trace_steps);
             for (int round = 0; round < 60; ++round) {
                 const double c = a + (b - a) / 3, d = b - (b - a) / 3;
-                if (std::abs(at(c) - z) < std::abs(at(d) - z)) {
+                if (std::norm(at(c) - z) < std::norm(at(d) - z)) {
                     b = d;
                 } else {
                     a = c;
@@ -160,6 +157,8 @@ private:
         return false;
     }
 
+    // So many that a sharp turn does not hide a nearest point.
+    static constexpr std::size_t trace_steps = 160;
     std::vector<Complex> trace;
     double longest_step = 0;
 
@@ -221,8 +220,8 @@ inline std::vector<std::array<Complex, 2>> own_pairs(const Curve& curve) {
 }
 
 // Points that are carried to such points whatever the curves are cut to: labelled points, centres, and where the
-// descriptors of lines and circles meet.
-inline std::vector<Complex> points_of(const Curves& curves) {
+// descriptors of lines and circles meet, of lines at no less than some angle.
+inline std::vector<Complex> points_of(const Curves& curves, double least_sine) {
     std::vector<Complex> points;
     const auto is_circle = [](const Curve& c) { return c.kind == ElementKind::arc && own_pairs(c).empty(); };
     for (const Curve& c : curves) {
@@ -234,7 +233,7 @@ inline std::vector<Complex> points_of(const Curves& curves) {
             if (a.kind == ElementKind::line && b.kind == ElementKind::line && i < j) {
                 const Complex u = a.control[1] - a.control[0], v = b.control[1] - b.control[0];
                 const double turn = (std::conj(u) * v).imag();
-                if (std::fabs(turn) < 1e-6 * std::abs(u) * std::abs(v)) continue;
+                if (std::fabs(turn) < least_sine * std::abs(u) * std::abs(v)) continue;
                 points.push_back(a.control[0] + u * ((std::conj(b.control[0] - a.control[0]) * v).imag() / turn));
             }
             // The foot of a centre on a line stands for both crossings, and is there where they are not.
@@ -261,7 +260,7 @@ inline std::array<Complex, 2> far_pair(const std::vector<Complex>& points) {
 // Whether a left side lies on designs in finitely many ways, by what this matcher knows.
 inline bool is_fixed(const Curves& left) {
     if (std::any_of(left.begin(), left.end(), [](const Curve& c) { return !own_pairs(c).empty(); })) return true;
-    const auto [p, q] = far_pair(points_of(left));
+    const auto [p, q] = far_pair(points_of(left, 0.05));
     return std::abs(p - q) > 1e-3;
 }
 
@@ -276,23 +275,22 @@ inline std::vector<Map> all_maps(const Shape& left_shape, const Shape& design_sh
         }
         found.push_back(map);
     };
-    // By the curve that fixes the transform and is neither shallow nor sharp.
-    const Curve* pivot = nullptr;
-    for (const Curve& c : left) {
-        if (!own_pairs(c).empty() && (pivot == nullptr || c.extremity() < pivot->extremity())) pivot = &c;
-    }
-    if (pivot != nullptr) {
-        const auto [p, q] = own_pairs(*pivot)[0];
+    // By each curve that fixes the transform, since one may be nearly straight.
+    bool has_pivot = false;
+    for (const Curve& pivot : left) {
+        const auto pairs = own_pairs(pivot);
+        if (pairs.empty()) continue;
+        has_pivot = true;
         for (const Curve& c : design) {
-            if (c.kind != pivot->kind) continue;
+            if (c.kind != pivot.kind) continue;
             for (const auto& [to_p, to_q] : own_pairs(c)) {
-                for (const Map& map : maps_between(p, q, to_p, to_q)) take(map);
+                for (const Map& map : maps_between(pairs[0][0], pairs[0][1], to_p, to_q)) take(map);
             }
         }
-        return found;
     }
-    const auto [p, q] = far_pair(points_of(left));
-    const std::vector<Complex> to = points_of(design);
+    if (has_pivot) return found;
+    const auto [p, q] = far_pair(points_of(left, 0.05));
+    const std::vector<Complex> to = points_of(design, 0.049);
     for (const Complex& a : to) {
         for (const Complex& b : to) {
             if (std::norm(a - b) < 1e-18) continue;

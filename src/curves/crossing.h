@@ -8,11 +8,11 @@
 
 namespace filigree::curves {
 
-// Nothing where they are parallel to about a degree: the place would be known badly.
+// Nothing where they are parallel to a thousandth: the place would be known badly.
 inline std::optional<Vec> crossing_of(const Element& a, const Element& b) {
     const Vec u = a.at[1] - a.at[0], v = b.at[1] - b.at[0];
     const double turn = cross(u, v);
-    if (!(std::fabs(turn) > 0.02 * length(u) * length(v))) return std::nullopt;
+    if (!(std::fabs(turn) > 0.001 * length(u) * length(v))) return std::nullopt;
     return a.at[0] + u * (cross(b.at[0] - a.at[0], v) / turn);
 }
 

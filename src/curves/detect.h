@@ -6,13 +6,14 @@
 // section 3.1; there the user is asked, here all matches are found.
 #pragma once
 
-#include "curves/match.h"
 #include "curves/match_index.h"
+#include "curves/matches.h"
 #include "curves/shape.h"
 
 namespace filigree::curves {
 
-// The left side must be a maximal shape.
+// The left side must be a maximal shape. Where nothing fixes a transform there are families instead of matches; what of
+// them has no room to move is a match all the same.
 Matches find_matches(const Shape& left, const MatchIndex& design, const MatchOptions& options);
 
 }  // namespace filigree::curves

@@ -44,6 +44,9 @@ Element any_element(CaseRandom& draws) {
     const std::uint32_t kind = draws.below(7);
     if (kind == 6) return parabola(draws);
     Element e = random_element(draws, kinds[kind]);
+    // A cubic that is nearly straight is as hard to tell as a shallow arc.
+    const auto breadth = [&](Vec p) { return std::fabs(cross(p - e.at[0], e.at[3] - e.at[0])); };
+    if (e.kind == ElementKind::cubic && std::max(breadth(e.at[1]), breadth(e.at[2])) < 20) return any_element(draws);
     if (e.kind == ElementKind::arc && !is_closed(e)) e.to = std::min(e.to, e.from + 5);
     if (e.kind == ElementKind::point) e.layer = draws.below(2);
     return e;
@@ -134,6 +137,7 @@ void try_scenes(Element (*element)(CaseRandom&), int most) {
         found += expect_same_matches(scene);
         if (testing::Test::HasFailure()) return;
     }
+    if (count < 100) return;
     EXPECT_GT(fixed, count / 3);
     EXPECT_GT(found, count / 3);
 }

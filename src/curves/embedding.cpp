@@ -5,6 +5,8 @@
 #include <numeric>
 
 #include "curves/along.h"
+#include "curves/match_order.h"
+#include "curves/moments.h"
 #include "curves/weights.h"
 
 namespace filigree::curves {
@@ -37,6 +39,7 @@ Embedding::Embedding(const Shape& left, const MatchIndex& design, const MatchOpt
     order_.resize(left.elements.size());
     std::iota(order_.begin(), order_.end(), 0U);
     middles_.reserve(left.elements.size());
+    centroid_ = centroid_of(left);
     for (const Element& e : left.elements) {
         const Interval on = interval_of(e);
         middles_.push_back(point_at(e, 0.5 * (on.from + on.to)));
@@ -133,6 +136,21 @@ bool Embedding::settle(Laid& laid, std::span<const double> reach) const {
         if (laid.carriers == before) break;
     }
     return true;
+}
+
+Match Embedding::match_of(Laid laid, bool is_reflected) const {
+    Match match;
+    match.by = laid.by;
+    match.is_reflected = is_reflected;
+    match.scale = options_.group == MatchGroup::similarity ? length(Vec{laid.by.a, laid.by.b})
+                  : options_.group == MatchGroup::affine   ? std::sqrt(std::fabs(determinant(laid.by)))
+                                                           : 1;
+    match.angle_degrees = angle_of(laid.by);
+    match.centroid = apply(laid.by, centroid_);
+    match.carriers = std::move(laid.carriers);
+    match.misfit = laid.misfit / options_.tolerance;
+    match.is_ambiguous = match.misfit > 0.1;
+    return match;
 }
 
 }  // namespace filigree::curves

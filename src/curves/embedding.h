@@ -29,6 +29,8 @@ public:
     const MatchOptions& options() const { return options_; }
     // A point of each left element, half way along it.
     const std::vector<Vec>& middles() const { return middles_; }
+    // The mean of these: the symmetries of the left side keep it.
+    Vec centroid() const { return centroid_; }
     // Below this scale an element of the left side would be no longer than the tolerance, and lie on anything.
     double least_scale() const { return least_scale_; }
     // The order in which the left elements are asked for; those that are rare in the design should come first.
@@ -49,12 +51,15 @@ public:
     std::optional<double> misfit_on(const Laid& laid, double reach) const;
     // Mends laid.by for its carriers.
     void refine(Laid& laid) const;
+    // What is laid, as a match.
+    Match match_of(Laid laid, bool is_reflected) const;
 
 private:
     const Shape& left_;
     const MatchIndex& design_;
     const MatchOptions& options_;
     std::vector<Vec> middles_;
+    Vec centroid_;
     double least_scale_ = 0;
     std::vector<std::uint32_t> order_;
     std::vector<double> ten_tolerances_;

@@ -1,4 +1,4 @@
-// What a search for subshapes is asked and what it finds, as plain data.
+// What a search for subshapes is asked, and a match that it finds, as plain data.
 #pragma once
 
 #include <cstdint>
@@ -36,16 +36,6 @@ struct Match {
     bool is_ambiguous = false;            // it holds, but would not at a tenth of the tolerance
 
     bool operator==(const Match&) const = default;
-};
-
-// Matches that differ by a symmetry of the left side are one. In order of scale, then of the centroid (x, then y), then
-// of the angle, each to within rounding.
-struct Matches {
-    std::vector<Match> found;
-    std::vector<Match> near_misses;  // those that fail by less than ten tolerances
-    bool is_complete = true;         // false where the limit was reached or the job was cancelled
-
-    bool operator==(const Matches&) const = default;
 };
 
 }  // namespace filigree::curves

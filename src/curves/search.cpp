@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "curves/moments.h"
+#include "curves/family_search.h"
+#include "curves/match_order.h"
 #include "curves/seats.h"
 
 namespace filigree::curves {
@@ -24,7 +25,6 @@ Search::Search(const Shape& left, const MatchIndex& design, const MatchOptions& 
     if (!anchors_.empty()) {
         widest_reach_ = *std::max_element(anchors_[0].reach.begin(), anchors_[0].reach.end());
     }
-    centroid_ = centroid_of(left);
 }
 
 bool Search::goes_on() {
@@ -143,27 +143,17 @@ void Search::take(const Anchor& anchor, bool is_reflected) {
         }
         if (!misfit) return;
         laid.misfit = *misfit;
-        angle = angle_of(laid.by);
     }
-    Match match;
-    match.by = laid.by;
-    match.is_reflected = is_reflected;
-    match.scale = keeps_lengths(embedding_.options()) ? 1 : length(Vec{laid.by.a, laid.by.b});
-    match.angle_degrees = angle;
-    match.centroid = apply(laid.by, centroid_);
-    match.carriers = std::move(laid.carriers);
-    match.misfit = laid.misfit / tolerance;
-    match.is_ambiguous = match.misfit > 0.1;
+    Match match = embedding_.match_of(std::move(laid), is_reflected);
     (match.misfit <= 1 ? matches_.found : matches_.near_misses).push_back(std::move(match));
 }
 
 Matches Search::all() {
+    if (!has_anchor()) return find_families(embedding_, symmetries_);
     matches_ = {};
-    if (has_anchor()) {
-        const Anchor& anchor = cheapest();
-        if (anchor.kind == AnchorKind::parabola) is_known_.assign(2 * embedding_.design().slot_count(), false);
-        find_seats(embedding_, anchor, [&](std::span<const Seat> seats) { return try_seats(anchor, seats); });
-    }
+    const Anchor& anchor = cheapest();
+    if (anchor.kind == AnchorKind::parabola) is_known_.assign(2 * embedding_.design().slot_count(), false);
+    find_seats(embedding_, anchor, [&](std::span<const Seat> seats) { return try_seats(anchor, seats); });
     put_in_order(matches_.found, embedding_.options().tolerance);
     put_in_order(matches_.near_misses, embedding_.options().tolerance);
     return std::move(matches_);

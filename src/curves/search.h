@@ -4,7 +4,7 @@
 #include <span>
 
 #include "curves/anchor.h"
-#include "curves/match_order.h"
+#include "curves/matches.h"
 #include "curves/symmetry.h"
 
 namespace filigree::curves {
@@ -15,7 +15,7 @@ public:
     Search(const Shape& left, const MatchIndex& design, const MatchOptions& options,
            std::span<const Symmetry> symmetries);
 
-    // Whether anything fixes a transform; if not, nothing is found.
+    // Whether anything fixes a transform; if not, only families are found.
     bool has_anchor() const { return !anchors_.empty(); }
     Matches all();
     // Only those that lie on one of these slots.
@@ -34,7 +34,6 @@ private:
     std::span<const Symmetry> symmetries_;
     std::vector<Anchor> anchors_;
     double widest_reach_ = 0;  // of the first anchor
-    Vec centroid_;
     Matches matches_;
     // Of the anchor that is tried: of parabolas, which slots are known to carry it, directly and reflected.
     std::vector<bool> is_known_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "curves/match_order.h"
 #include "curves/search.h"
 
 namespace filigree::curves {
@@ -18,6 +19,8 @@ std::vector<Symmetry> symmetries(const Shape& shape, const MatchOptions& options
     const std::vector<Symmetry> one = {identity};
     const MatchIndex index(shape, options.tolerance);
     Matches matches = Search(shape, index, own, one).all();
+    // What turns freely stands for all its turns.
+    for (Family& family : matches.families) matches.found.push_back(std::move(family.members.front()));
     std::vector<Symmetry> found;
     for (Match& match : matches.found) found.push_back({match.by, match.is_reflected, std::move(match.carriers)});
     if (found.empty()) return one;
