@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "curves/match.h"
+#include "curves/matches.h"
 #include "curves/match_index.h"
 #include "curves/shape.h"
 #include "curves/symmetry.h"

@@ -16,7 +16,7 @@ using test_shapes::shape_of;
 constexpr double tolerance = 1e-6;
 
 AffineMatches matches_of(const Shape& left, const Shape& design, const MatchOptions& options = {}) {
-    return find_affine_matches(left, MatchIndex(design), options);
+    return find_affine_matches(left, MatchIndex(design, options.tolerance), options);
 }
 
 Shape polygon(const std::vector<Vec>& corners) {

@@ -128,6 +128,9 @@ std::string matches_text(const OpenedDocument& opened, const CheckedDocument& ch
         const Applications& here = found.of_rules[i];
         text += rule.name + ": " + std::to_string(here.matches) + (here.matches == 1 ? " match" : " matches");
         if (here.all.size() != here.matches) text += ", " + std::to_string(here.all.size()) + " applications";
+        if (!here.families.empty()) {
+            text += ", in infinitely many ways; ends, middles and the like are shown";
+        }
         if (here.near_misses > 0) {
             text += ", " + std::to_string(here.near_misses) + (here.near_misses == 1 ? " near miss" : " near misses") +
                     " (within ten tolerances)";
@@ -161,6 +164,7 @@ std::string matches_json(const OpenedDocument& opened, const CheckedDocument& ch
         Json one;
         one["name"] = rule.name;
         one["matches"] = here.matches;
+        one["families"] = here.families.size();
         one["near_misses"] = here.near_misses;
         one["applications"] = Json::array();
         for (const Application& at : here.all) {

@@ -5,6 +5,7 @@
 
 #include "base/elementary.h"
 #include "base/number_text.h"
+#include "curves/affine.h"
 #include "curves/algebra.h"
 #include "curves/faces.h"
 #include "curves/maximal.h"
@@ -67,6 +68,11 @@ Scope scope_of(const Application& at, std::size_t steps, std::size_t elements, c
     scope.names["angle"] = {Quantity{at.fit.angle_degrees, 0, true}, {}};
     scope.names["mirrored"] = {at.fit.is_reflected, {}};
     scope.names["area"] = {Quantity{at.corners.empty() ? 0 : std::fabs(curves::area_of(at.corners)), 2, false}, {}};
+    const auto side = [&](std::size_t i) {
+        return at.corners.size() < 3 ? 0 : length(at.corners[i + 1] - at.corners[i]);
+    };
+    scope.names["first_side"] = {Quantity{side(0), 1, false}, {}};
+    scope.names["second_side"] = {Quantity{side(1), 1, false}, {}};
     scope.names["steps"] = number(static_cast<double>(steps));
     scope.names["elements"] = number(static_cast<double>(elements));
     return scope;
@@ -128,6 +134,21 @@ void add_faces(const Rule& rule, const SeenDesign& design, double tolerance, App
     }
 }
 
+// All applications of one match.
+void add_variants(const Rule& rule, const curves::Match& match, bool is_of_family, Applications& found) {
+    std::uint32_t variant = 0;
+    for (const Transform& symmetry : rule.variants) {
+        Application at;
+        at.match = found.matches;
+        at.variant = variant++;
+        at.fit = with_map(match, compose(match.by, symmetry));
+        at.place = match.centroid;
+        at.is_of_family = is_of_family;
+        found.all.push_back(std::move(at));
+    }
+    ++found.matches;
+}
+
 }  // namespace
 
 Shape placed(const Shape& shape, const Rule& rule, const Application& at, double tolerance) {
@@ -157,20 +178,15 @@ Result<Applications> applications_of(const Grammar& grammar, std::uint32_t numbe
     } else {
         curves::MatchOptions options = rule.options;
         options.job = job;
-        const curves::Matches matches = find_matches(rule.left, design.index, options);
+        const curves::Matches matches = options.group == curves::MatchGroup::affine
+                                            ? find_affine_matches(rule.left, design.index, options).matches
+                                            : find_matches(rule.left, design.index, options);
         if (is_cancelled(job)) return cancelled_diagnostic();
+        found.families = matches.families;
         found.near_misses = matches.near_misses.size();
-        for (const curves::Match& match : matches.found) {
-            std::uint32_t variant = 0;
-            for (const Transform& symmetry : rule.variants) {
-                Application at;
-                at.match = found.matches;
-                at.variant = variant++;
-                at.fit = with_map(match, compose(match.by, symmetry));
-                at.place = match.centroid;
-                found.all.push_back(std::move(at));
-            }
-            ++found.matches;
+        for (const curves::Match& match : matches.found) add_variants(rule, match, false, found);
+        for (const curves::Family& family : matches.families) {
+            for (const curves::Match& member : family.members) add_variants(rule, member, true, found);
         }
     }
     std::vector<Application> kept;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curves/affine.h"
 #include "curves/algebra.h"
 #include "curves/faces.h"
 #include "curves/maximal.h"
@@ -545,7 +546,10 @@ private:
         }
         std::vector<Transform> variants;
         std::vector<std::vector<Shape>> seen;
-        for (const curves::Symmetry& symmetry : symmetries(rule.left, rule.options)) {
+        const std::vector<curves::Symmetry> group = rule.options.group == curves::MatchGroup::affine
+                                                        ? affine_symmetries(rule.left, rule.options)
+                                                        : symmetries(rule.left, rule.options);
+        for (const curves::Symmetry& symmetry : group) {
             std::vector<Shape> images;
             for (const Shape& shape : asked) {
                 std::vector<Element> elements;
