@@ -72,7 +72,7 @@ struct Evaluation {
     const ChoiceMaking* choices = nullptr;  // null: drawn at random and not recorded
 };
 
-constexpr int max_evaluation_depth = 500;           // of expressions, and of shapes that an expression takes over
+constexpr int max_evaluation_depth = 500;         // of expressions, and of shapes that an expression takes over
 constexpr std::size_t max_shape_parts = 100'000;  // that one expression takes over from names
 
 Result<Value> evaluate(const Expression& expression, const Evaluation& at);

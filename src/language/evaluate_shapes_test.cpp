@@ -1,3 +1,4 @@
+#include "base/test_cases.h"
 #include "language/check.h"
 #include "language/form_value.h"
 #include "language/settings.h"
@@ -143,6 +144,45 @@ TEST_F(EvaluatingShapes, LongChainsAreNoDanger) {
     EXPECT_TRUE(evaluate(*chain(400, true, keep), at));
     EXPECT_EQ(shown(evaluate(*chain(10000, true, keep), at)), "language.too-deep: this shape is nested too deeply");
     while (!keep.empty()) keep.pop_back();
+}
+
+// A shape at random, or a transform, with brackets where chance puts them.
+std::string random_shape(CaseRandom& random, int depth, bool is_transform) {
+    const auto shape = [&] { return random_shape(random, depth - 1, false); };
+    const auto transform = [&] { return random_shape(random, depth - 1, true); };
+    const auto bracketed = [&](const std::string& text) { return random.below(2) == 0 ? "(" + text + ")" : text; };
+    if (depth <= 0) {
+        constexpr std::string_view shapes[] = {"petal", "empty", "circle(3)"}, transforms[] = {"half", "scale(2)"};
+        return std::string(is_transform ? transforms[random.below(2)] : shapes[random.below(3)]);
+    }
+    if (is_transform) return bracketed(transform() + " * " + bracketed(transform()));
+    constexpr std::string_view signs[] = {" + ", " - "};
+    switch (random.below(4)) {
+        case 0:
+            return "(" + transform() + ") * (" + shape() + ")";
+        case 1:
+            return "(" + shape() + ") & (" + shape() + ")";
+        default: {
+            const std::string left = bracketed(shape());
+            return left + std::string(signs[random.below(2)]) + bracketed(shape());
+        }
+    }
+}
+
+TEST_F(EvaluatingShapes, TheirTextsSayTheSame) {
+    std::size_t longest = 0;
+    const std::uint64_t cases = case_count(1000);
+    for (std::uint64_t seed = 0; seed < cases; ++seed) {
+        CaseRandom random(seed);
+        const std::string text = random_shape(random, 4, false);
+        const Result<Value> value = evaluate(*expression_of(text), at);
+        ASSERT_TRUE(value) << "seed " << seed << " " << text;
+        const Result<Value> again = evaluate(*expression_of(to_text(*value)), at);
+        ASSERT_TRUE(again) << "seed " << seed << " " << to_text(*value);
+        ASSERT_EQ(*again, *value) << "seed " << seed << " " << text << "\n" << to_text(*value);
+        longest = std::max(longest, std::get_if<SymbolicCall>(&value->data)->arguments.size());
+    }
+    EXPECT_GE(longest, 5U);
 }
 
 std::string settings_problem(const std::string& lets) {

@@ -12,18 +12,16 @@ namespace {
 constexpr std::string_view rule_example = "a rule is written as in 'slide = petal -> translate(2, 2) * petal'";
 constexpr std::string_view match_example = "write it as in 'apply slide at (3, 3) angle 90'";
 
-// Words that begin statements of shape grammars alone.
-bool is_reserved_word(std::string_view word) {
-    return find_shape_setting(word) != nullptr || word == "rules";
-}
-
 }  // namespace
 
-bool Parser::is_shape_statement(const Token& first, bool is_keyword) const {
+Parser::ShapeStatement Parser::shape_statement(const Token& first, bool is_keyword) const {
     const std::string_view word = bytes_of(first);
-    const bool is_reserved = is_keyword || is_reserved_word(word);
-    return is_shape_rule(first, is_reserved) || (is_reserved && !is_keyword) || is_way_back(first) ||
-           (word == "apply" && is_match(first));
+    const bool is_setting = find_shape_setting(word) != nullptr;
+    if (is_shape_rule(first, is_keyword || is_setting || word == "rules")) return ShapeStatement::rule;
+    if (is_setting) return ShapeStatement::setting;
+    if (word == "rules") return ShapeStatement::rules_from;
+    if (is_way_back(first)) return ShapeStatement::back;
+    return word == "apply" && is_match(first) ? ShapeStatement::match : ShapeStatement::none;
 }
 
 // A reserved word names a rule only where an arrow follows: `match = petal -> lens`.
@@ -59,26 +57,15 @@ bool Parser::has_arrow_behind(const Token& token) const {
     }
 }
 
-std::optional<Statement> Parser::read_shape_statement(bool is_keyword) {
-    Statement statement;
+void Parser::read_shape_statement(ShapeStatement kind, Statement& statement) {
     const auto put = [&](auto node) {
         if (node) statement.node = std::move(*node);
     };
-    const Token first = peek();
-    const std::string_view word = bytes_of(first);
-    if (is_shape_rule(first, is_keyword || is_reserved_word(word))) {
-        put(read_shape_rule());
-    } else if (find_shape_setting(word) != nullptr) {
-        put(read_shape_setting());
-    } else if (word == "rules") {
-        put(read_rules_from());
-    } else if (is_way_back(first)) {
-        put(read_back());
-    } else {
-        put(read_match());
-    }
-    if (has_failed_) return std::nullopt;
-    return statement;
+    if (kind == ShapeStatement::rule) put(read_shape_rule());
+    if (kind == ShapeStatement::setting) put(read_shape_setting());
+    if (kind == ShapeStatement::rules_from) put(read_rules_from());
+    if (kind == ShapeStatement::match) put(read_match());
+    if (kind == ShapeStatement::back) put(read_back());
 }
 
 // --- rules ------------------------------------------------------------------------------------------------------
@@ -147,7 +134,9 @@ void Parser::fail_without_arrow(const ShapeRule& rule) {
     }
     std::vector<std::string> hints = {std::string(rule_example)};
     if (at_statement_end()) hints.push_back("a value with a name is written 'let " + rule.name.text + " = ...'");
-    if (found.kind == TokenKind::name) hints = {"a rule that follows from another one has no clauses of its own"};
+    const bool is_call = std::holds_alternative<CallExpression>(rule.left->node);
+    if (found.kind == TokenKind::name && is_call)
+        hints = {"a rule that follows from another one has no clauses of its own"};
     fail_behind_value("language.missing-arrow", "'->' and the right side", std::move(hints));
 }
 

@@ -49,13 +49,15 @@ std::optional<Statement> Parser::read_statement() {
     const Token first = peek();
     Statement statement;
     const bool has_keyword = first.kind == TokenKind::name && is_keyword(bytes_of(first));
+    const bool may_be_of_shapes = rules_ == Rules::of_shapes && first.kind == TokenKind::name;
+    const ShapeStatement of_shapes = may_be_of_shapes ? shape_statement(first, has_keyword) : ShapeStatement::none;
     if (rules_ == Rules::of_words && is_word_statement(first)) {
         if (std::optional<Statement> words = read_word_statement()) statement = std::move(*words);
         if (!has_failed_) expect_statement_end();
     } else if (first.kind != TokenKind::name) {
         fail_first_token(first);
-    } else if (rules_ == Rules::of_shapes && is_shape_statement(first, has_keyword)) {
-        if (std::optional<Statement> shapes = read_shape_statement(has_keyword)) statement = std::move(*shapes);
+    } else if (of_shapes != ShapeStatement::none) {
+        read_shape_statement(of_shapes, statement);
         if (!has_failed_) expect_statement_end();
     } else if (rules_ == Rules::of_groups && is_rule(first, has_keyword)) {
         if (std::optional<GroupRule> rule = read_rule()) statement.node = std::move(*rule);

@@ -200,12 +200,13 @@ private:
     std::optional<OperatorCall> read_edit_call();
 
     // --- rules of shapes and matches chosen by hand (parse_shape.cpp)
-    bool is_shape_statement(const Token& first, bool is_keyword) const;
+    enum class ShapeStatement { none, rule, setting, rules_from, match, back };
+    ShapeStatement shape_statement(const Token& first, bool is_keyword) const;
     bool is_shape_rule(const Token& first, bool is_reserved) const;
     bool is_match(const Token& apply) const;
     bool is_way_back(const Token& first) const;
     bool has_arrow_behind(const Token& token) const;  // on its line, in its statement
-    std::optional<Statement> read_shape_statement(bool is_keyword);
+    void read_shape_statement(ShapeStatement kind, Statement& statement);
     std::optional<ShapeRule> read_shape_rule();
     bool read_right_side(ShapeRule& rule);
     bool next_line_is_right_side();

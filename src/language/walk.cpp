@@ -39,8 +39,10 @@ const ParameterDescription* parameter_of(const OperatorDescription& form, const 
         });
         return named == parameters.end() ? nullptr : &*named;
     }
-    if (positional < parameters.size()) return &parameters[positional];
-    return !parameters.empty() && parameters.back().repeats ? &parameters.back() : nullptr;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (i == positional || parameters[i].repeats) return &parameters[i];
+    }
+    return nullptr;
 }
 
 Place shape_argument_place(Place place, std::string_view call, const CallArgument& argument, std::size_t positional) {
