@@ -247,6 +247,10 @@ TEST(Rewriting, SettingsOfDrawingThatAreWrong) {
     expect("system A { axiom \"b\"; width 3 }\n", "rewriting.misplaced-setting");
     expect("system A { axiom \"b\"; angle 3px }\n", "language.wrong-kind");
     expect("style b when area > 3 { pen: 2 }\n", "area");
+    const std::string wobble = said("style b { pen: 2; wobble: 0.2 }\n");
+    EXPECT_EQ(wobble[0], '0');
+    EXPECT_NE(wobble.find(":3:19: warning: what words draw does not waver [style.no-wobble]"), std::string::npos)
+        << wobble;
 }
 
 }  // namespace

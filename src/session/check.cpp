@@ -72,6 +72,13 @@ Diagnostics not_for_words(const Document& document) {
             refuse("symmetry", "embed it in a document that has one", statement);
         if (std::holds_alternative<ApplyStatement>(statement.node))
             refuse("apply", "what is done by hand is an edit, as in 'once insert(...)'", statement);
+        const auto* style = std::get_if<StyleStatement>(&statement.node);
+        if (style == nullptr) continue;
+        for (const StyleProperty& property : style->properties) {
+            if (property.name.text != "wobble" && property.name.text != "wobble_length") continue;
+            problems.push_back(warning("style.no-wobble", "what words draw does not waver", property.name.span,
+                                       {"'line: drawn' draws lines as a pen in a hand does"}));
+        }
     }
     return problems;
 }
