@@ -128,16 +128,26 @@ private:
             best = &g;
             preference = other;
         }
-        Match match;
-        match.by = best != nullptr ? compose(laid_.by, best->by) : laid_.by;
-        for (std::size_t i = 0; i < laid_.carriers.size(); ++i) {
-            match.carriers.push_back(laid_.carriers[best != nullptr ? best->images[i] : i]);
+        Laid laid = laid_;
+        if (best != nullptr) {
+            laid.by = compose(laid_.by, best->by);
+            for (std::size_t i = 0; i < laid.carriers.size(); ++i) laid.carriers[i] = laid_.carriers[best->images[i]];
+            // Of a left side that is symmetric to within the tolerance alone.
+            const auto misfit = embedding_.misfit_on(laid, 10 * options().tolerance);
+            if (misfit) {
+                laid.misfit = *misfit;
+            } else {
+                laid = laid_;
+            }
         }
+        Match match;
+        match.by = laid.by;
+        match.carriers = std::move(laid.carriers);
         match.is_reflected = determinant(match.by) < 0;
         match.scale = scale_of(match.by);
         match.angle_degrees = angle_of(match.by);
         match.centroid = apply(match.by, embedding_.centroid());
-        match.misfit = laid_.misfit / options().tolerance;
+        match.misfit = laid.misfit / options().tolerance;
         match.is_ambiguous = match.misfit > 0.1;
         (match.misfit <= 1 ? matches_.found : matches_.near_misses).push_back(std::move(match));
     }
@@ -159,11 +169,11 @@ Symmetry identity_of(const Shape& shape) {
 
 // Onto which elements of its own a map carries a shape; nothing where one is none.
 std::optional<std::vector<std::uint32_t>> images_of(const Shape& shape, const Transform& by, const AffineSeat& seat,
-                                                    std::span<const double> reach) {
+                                                    double tolerance) {
     std::vector<std::uint32_t> images = seat.carriers;
     for (std::uint32_t i = 0; i < images.size(); ++i) {
         const Element moved = transformed(shape.elements[i], by);
-        double best = reach[i];
+        double best = tolerance;
         const auto look_at = [&](std::uint32_t j) {
             const Element& carrier = shape.elements[j];
             if (!may_lie_on(moved, carrier, WeightRule::equal)) return;
@@ -188,7 +198,6 @@ std::vector<Symmetry> symmetries_by(const Shape& shape, const Registrations& own
     const MayCarry may_carry = [&](std::uint32_t i, std::uint32_t j) {
         return may_lie_on(shape.elements[i], shape.elements[j], WeightRule::equal);
     };
-    const std::vector<double> reach = reach_of(shape, frame, options.tolerance);
     std::vector<Symmetry> found = {identity_of(shape)};
     find_seats(frame, own, own, may_carry, [&](const AffineSeat& seat) {
         const Transform by = carrying(frame.at, seat.at);
@@ -196,7 +205,7 @@ std::vector<Symmetry> symmetries_by(const Shape& shape, const Registrations& own
         if (is_reflected && !options.with_reflections) return true;
         // A map that makes a bounded shape larger or smaller does not carry it onto itself.
         if (!(std::fabs(scale_of(by) - 1) < 1e-3)) return true;
-        const auto images = images_of(shape, by, seat, reach);
+        const auto images = images_of(shape, by, seat, options.tolerance);
         if (!images) return true;
         const auto is_same = [&](const Symmetry& g) {
             const auto near = [](double a, double b) { return std::fabs(a - b) < 1e-4; };

@@ -169,7 +169,7 @@ Transform map_between(const std::array<Vec, 3>& from, const std::array<Vec, 3>& 
 }
 
 // One map for each set of matches that differ by a symmetry.
-std::vector<Transform> all_maps(const Shape& left, const Shape& design, double reach) {
+std::vector<Transform> all_maps(const Shape& left, const Shape& design, double min_scale, double reach) {
     const std::vector<Vec> own = crossings(left), places = crossings(design);
     std::array<Vec, 3> from;
     double most = 0;
@@ -188,6 +188,7 @@ std::vector<Transform> all_maps(const Shape& left, const Shape& design, double r
             for (const Vec r : places) {
                 if (std::fabs(cross(q - p, r - p)) < 1e-2) continue;
                 const Transform by = map_between(from, {p, q, r});
+                if (!(std::fabs(determinant(by)) >= min_scale * min_scale)) continue;
                 if (!is_covered(left, by, design, reach)) continue;
                 const bool is_known = std::any_of(found.begin(), found.end(), [&](const Transform& other) {
                     return is_covered(left, compose(inverse(other), by), left, 100 * reach) &&
@@ -248,8 +249,10 @@ TEST(AffineProperty, PlantedLinesAreFoundAndNothingElse) {
         const int others = random.whole(0, 3);
         for (int i = 0; i < others; ++i) lines.push_back(line_element(random_corner(random), random_corner(random)));
         const Shape design = shape_of(lines);
-        const Matches found = matches_of(left, design).matches;
-        const std::vector<Transform> maps = all_maps(left, design, 1e-4);
+        MatchOptions options;
+        options.min_scale = 0.3;
+        const Matches found = matches_of(left, design, options).matches;
+        const std::vector<Transform> maps = all_maps(left, design, options.min_scale, 1e-4);
         EXPECT_EQ(found.found.size(), maps.size());
         for (const Match& match : found.found) EXPECT_TRUE(is_covered(left, match.by, design, 2 * tolerance));
         if (HasFailure()) break;

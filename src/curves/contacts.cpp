@@ -8,8 +8,6 @@
 namespace filigree::curves {
 namespace {
 
-constexpr double least_sine = 0.02;
-
 Vec unit_of(Vec v) { return v * (1 / length(v)); }
 
 // An element's interval, longer by about a reach at both ends; a whole ellipse keeps its own.
@@ -38,7 +36,7 @@ std::optional<Meeting> meeting_near(const Element& a, Interval on_a, const Eleme
     for (int round = 0; round < 12; ++round) {
         const Vec u = velocity_at(a, at.s), v = velocity_at(b, at.t), off = point_at(b, at.t) - point_at(a, at.s);
         const double turn = cross(u, v);
-        if (!(std::fabs(turn) > 0.1 * least_sine * length(u) * length(v))) return std::nullopt;
+        if (!(std::fabs(turn) > 1e-4 * length(u) * length(v))) return std::nullopt;
         const double ds = cross(off, v) / turn, dt = cross(off, u) / turn;
         at.s += ds;
         at.t += dt;
@@ -106,7 +104,7 @@ std::optional<Meeting> osculation_near(const Element& a, Interval on_a, const El
         at.t += dt;
         if (is_far(at.s, on_a) || is_far(at.t, on_b)) return std::nullopt;
         if (std::fabs(ds) > 1e-9 || std::fabs(dt) > 1e-9) continue;
-        const bool is_parallel = std::fabs(cross(u, v)) <= 0.01 * least_sine * length(u) * length(v);
+        const bool is_parallel = std::fabs(cross(u, v)) <= 2e-4 * length(u) * length(v);
         if (length(off) <= reach && is_parallel) return at;
         return std::nullopt;
     }
@@ -141,25 +139,26 @@ std::array<Interval, 2> halves_of(Interval on) {
 }
 
 // Where pieces of two elements meet; some several times.
-void find_meetings(const Element& a, Interval on_a, const Element& b, Interval on_b, double reach, int depth,
-                   std::vector<Meeting>& meetings) {
+void find_meetings(const Element& a, Interval on_a, const Element& b, Interval on_b, double reach, double least_sine,
+                   int depth, std::vector<Meeting>& meetings) {
     if (!overlap(box_of(a, on_a.from, on_a.to, reach), box_of(b, on_b.from, on_b.to, reach))) return;
     const Vec way_a = velocity_at(a, 0.5 * (on_a.from + on_a.to)), way_b = velocity_at(b, 0.5 * (on_b.from + on_b.to));
     const double between = std::fabs(cross(way_a, way_b)) / (length(way_a) * length(way_b));
     const double turns = turn_of(a, on_a) + turn_of(b, on_b);
-    if (turns + between < 0.9 * least_sine) {
-        if (const auto at = touch_near(a, on_a, b, on_b, reach)) return meetings.push_back(*at);
+    // Pieces that turn by less than the angle between them meet once at most.
+    if (between > 1.5 * turns || depth == 0) {
+        const auto at = meeting_near(a, on_a, b, on_b);
+        if (at) meetings.push_back(*at);
+        if (turns == 0 || (at && depth > 0)) return;
+    }
+    if (depth == 0 || turns + between < 0.9 * least_sine) {
+        if (const auto at = touch_near(a, on_a, b, on_b, reach)) meetings.push_back(*at);
         if (const auto at = osculation_near(a, on_a, b, on_b, reach)) meetings.push_back(*at);
         return;
     }
-    // Pieces that turn by less than the angle between them meet once at most.
-    if (depth == 0 || between > 1.5 * turns) {
-        if (const auto at = meeting_near(a, on_a, b, on_b)) return meetings.push_back(*at);
-        if (depth == 0 || turns == 0) return;
-    }
     for (const Interval& part_a : halves_of(on_a)) {
         for (const Interval& part_b : halves_of(on_b)) {
-            find_meetings(a, part_a, b, part_b, reach, depth - 1, meetings);
+            find_meetings(a, part_a, b, part_b, reach, least_sine, depth - 1, meetings);
         }
     }
 }
@@ -174,7 +173,7 @@ bool is_reached(const Element& e, double t, double reach) {
 
 }  // namespace
 
-std::vector<Contact> contacts_of(const Element& e, const Element& other, double reach) {
+std::vector<Contact> contacts_of(const Element& e, const Element& other, double reach, double least_sine) {
     std::vector<Contact> contacts;
     if (e.kind == ElementKind::point || other.kind == ElementKind::point) return contacts;
     const Bounds box = bounds_of(e), other_box = bounds_of(other);
@@ -182,7 +181,7 @@ std::vector<Contact> contacts_of(const Element& e, const Element& other, double 
     if (!overlap({box.min - margin, box.max + margin}, other_box)) return contacts;
     std::vector<Meeting> meetings;
     constexpr int most_halvings = 9;
-    find_meetings(e, reaching(e, reach), other, reaching(other, reach), reach, most_halvings, meetings);
+    find_meetings(e, reaching(e, reach), other, reaching(other, reach), reach, least_sine, most_halvings, meetings);
     std::erase_if(meetings,
                   [&](const Meeting& at) { return !is_reached(e, at.s, reach) || !is_reached(other, at.t, reach); });
     std::sort(meetings.begin(), meetings.end(),

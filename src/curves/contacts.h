@@ -21,7 +21,7 @@ struct Contact {
 // within `reach` (px) of each other; and where that is within `reach` of both elements. By parameter of the first.
 // Points touch nothing. Where arcs turn back sharply contacts may be missed, and elements that lie on one descriptor
 // have none.
-std::vector<Contact> contacts_of(const Element& e, const Element& other, double reach);
+std::vector<Contact> contacts_of(const Element& e, const Element& other, double reach, double least_sine = 0.02);
 
 // Numbers of those elements in a grid that come within a reach of an element, and of some that do not; ascending.
 std::vector<std::uint32_t> numbers_near(const ElementGrid& grid, const Element& e, double reach);

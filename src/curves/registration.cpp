@@ -8,6 +8,8 @@
 namespace filigree::curves {
 namespace {
 
+constexpr double shallow_sine = 0.02;
+
 bool goes_through(const Element& e, Vec at, double reach) {
     const auto [first, last] = ends_of(e);
     return is_closed(e) || (length(first - at) > reach && length(last - at) > reach);
@@ -21,8 +23,8 @@ void add(Registrations& registrations, const Registration& point) {
 }
 
 void add_contacts(Registrations& registrations, const Element& a, std::uint32_t number_a, const Element& b,
-                  std::uint32_t number_b, double reach) {
-    for (const Contact& contact : contacts_of(a, b, reach)) {
+                  std::uint32_t number_b, double reach, double least_sine) {
+    for (const Contact& contact : contacts_of(a, b, reach, least_sine)) {
         add(registrations, {contact.at,
                             {number_a, number_b},
                             {contact.way, contact.other_way},
@@ -49,7 +51,8 @@ Registrations registrations_of(const Shape& shape, double tolerance) {
     found.on.resize(elements.size());
     for (std::uint32_t i = 0; i < elements.size(); ++i) {
         add_place(found, elements[i], i);
-        for (std::uint32_t j = 0; j < i; ++j) add_contacts(found, elements[j], j, elements[i], i, 2 * tolerance);
+        for (std::uint32_t j = 0; j < i; ++j)
+            add_contacts(found, elements[j], j, elements[i], i, 2 * tolerance, shallow_sine);
     }
     return found;
 }
@@ -72,6 +75,8 @@ Registrations registrations_of(const MatchIndex& design, const Shape& left, cons
     // What touches in the left side to within the tolerance may be apart by more here, where both are carried to within
     // the tolerance, at a small angle.
     const double reach = 20 * tolerance;
+    // Angles become smaller where the map flattens.
+    const double flat_sine = 0.1 * shallow_sine;
     Registrations found;
     found.on.resize(design.slot_count());
     for (std::uint32_t slot = 0; slot < design.slot_count(); ++slot) {
@@ -82,7 +87,7 @@ Registrations registrations_of(const MatchIndex& design, const Shape& left, cons
         if (!touching.contains(type)) continue;
         for (const std::uint32_t other : numbers_near(design.grid(), e, reach)) {
             if (other >= slot || !pairs.contains({type, type_of(design.element(other))})) continue;
-            add_contacts(found, design.element(other), other, e, slot, reach);
+            add_contacts(found, design.element(other), other, e, slot, reach, flat_sine);
         }
     }
     return found;
