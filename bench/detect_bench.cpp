@@ -2,6 +2,7 @@
 //   index    making a design of random arcs ready
 //   field    six arcs in a field of random ones, one copy planted for each 200 arcs, each in longer arcs
 //   flowers  a petal in flowers of four arcs, where every arc may carry either arc of the petal in both senses
+//   again    the same after a petal was drawn out of its flower, or put back, from what was found before
 // Each case first checks how many matches there are: a faster wrong answer fails.
 #include <benchmark/benchmark.h>
 
@@ -9,8 +10,9 @@
 #include <vector>
 
 #include "base/test_cases.h"
+#include "curves/along.h"
 #include "curves/curve_test_shapes.h"
-#include "curves/detect.h"
+#include "curves/kept_matches.h"
 
 namespace filigree::curves {
 namespace {
@@ -95,8 +97,42 @@ void detect_flowers(benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(find_matches(petal(), design, {}));
 }
 
+// The index brought up to date, and the matches.
+void detect_again(benchmark::State& state) {
+    const auto count = static_cast<std::size_t>(state.range(0));
+    const Shape design = flowers(count);
+    MatchIndex index(design, tolerance);
+    KeptMatches kept(petal(), index, {});
+    const Match& one = kept.found()[count / 2];
+    std::vector<Element> whole, cut;
+    for (const std::uint32_t slot : one.carriers) whole.push_back(design.elements[slot]);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Element part = transformed(petal().elements[i], one.by);
+        const auto on = along(whole[i], part, tolerance)->on;
+        cut.push_back(*normal_form(transformed(part, translation({0.5, 0.25})), tolerance));
+        // The rest of the arc, before the petal's part of it or behind.
+        const Interval rest = on.from > 1 - on.to ? Interval{0, on.from} : Interval{on.to, 1};
+        cut.push_back(*normal_form(piece_of(whole[i], rest), tolerance));
+    }
+    const auto step = [&](bool opens) {
+        const auto change = opens ? index.update(whole, cut) : index.update(cut, whole);
+        kept.update(index, change);
+    };
+    step(true);
+    // The petal itself is still there, its two neighbours are not.
+    if (kept.found().size() != count - 2) state.SkipWithError("not the matches of an open flower");
+    step(false);
+    if (kept.found().size() != count) state.SkipWithError("not the matches of all flowers");
+    bool opens = true;
+    for (auto _ : state) {
+        step(opens);
+        opens = !opens;
+    }
+}
+
 BENCHMARK(detect_index)->Name("detect/index")->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
 BENCHMARK(detect_field)->Name("detect/field")->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
+BENCHMARK(detect_again)->Name("detect/again")->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
 BENCHMARK(detect_flowers)->Name("detect/flowers")->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
