@@ -38,8 +38,8 @@ struct Application {
 };
 
 struct Applications {
-    std::vector<Application> all;   // by match, then variant
-    std::uint32_t matches = 0;      // how many different ones
+    std::vector<Application> all;  // by match, then variant
+    std::uint32_t matches = 0;     // how many different ones
     std::vector<curves::Family> families;
     std::uint64_t near_misses = 0;  // embeddings that fail by less than ten tolerances
 };

@@ -81,7 +81,7 @@ public:
 
     void paint_marks(const curves::Shape& design) {
         const Show& show = grammar_.show;
-        if (!show.control_polygons && !show.points && !show.labels) return;
+        if (!show.control_polygons && !show.points && !show.labels && !show.dots) return;
         begin_group("marks");
         const double pen = 0.6;
         for (std::size_t i = 0; i < design.elements.size(); ++i) {
@@ -92,6 +92,7 @@ public:
                 const auto [from, to] = ends_of(e);
                 for (const Vec end : {from, to}) paint_dot(end, 1.8, ink, key);
             }
+            if (show.dots && e.kind == ElementKind::point) paint_dot(e.at[0], 2.5, ink, key);
             if (show.labels && e.kind == ElementKind::point) {
                 paint_dot(e.at[0], 2, accent, key);
                 paint_text(label_of(grammar_, e.layer), e.at[0] * scale_ + Vec{4, -4}, 8, accent, key);

@@ -14,9 +14,15 @@ struct Runner {
 
 class StepDrawer {
 public:
-    StepDrawer(const Grammar& grammar, const StepChoices& choices, Key key, std::span<const std::uint32_t> accepted,
-               const Surroundings& around, ChoiceBuffer& record)
-        : grammar_(grammar), choices_(choices), key_(key), accepted_(accepted), around_(around), record_(record) {}
+    StepDrawer(const Grammar& grammar, const SeenDesign& design, const StepChoices& choices, Key key,
+               std::span<const std::uint32_t> accepted, const Surroundings& around, ChoiceBuffer& record)
+        : grammar_(grammar),
+          design_(design),
+          choices_(choices),
+          key_(key),
+          accepted_(accepted),
+          around_(around),
+          record_(record) {}
 
     Result<std::optional<NextStep>> draw(std::vector<Runner> runners) {
         if (runners.empty()) return std::optional<NextStep>();
@@ -26,6 +32,10 @@ public:
         if (grammar_.pick == Pick::all) return std::optional(NextStep{std::move(all)});
         Result<std::size_t> index = grammar_.pick == Pick::first ? Result<std::size_t>(0) : draw_match(all.size());
         if (!index) return index.diagnostics();
+        if (grammar_.pick == Pick::orbit) {
+            const Rule& rule = grammar_.rules[runners[*winner].rule];
+            return std::optional(NextStep{orbit_of(all[*index], rule, design_, grammar_.tolerance)});
+        }
         return std::optional(NextStep{{std::move(all[*index])}});
     }
 
@@ -134,6 +144,7 @@ private:
     }
 
     const Grammar& grammar_;
+    const SeenDesign& design_;
     const StepChoices& choices_;
     const Key key_;
     const std::span<const std::uint32_t> accepted_;
@@ -163,7 +174,7 @@ Result<std::optional<NextStep>> draw_step(const Grammar& grammar, const SeenDesi
         if (!found) return found.diagnostics();
         if (!found->all.empty()) runners.push_back({r, std::move(*found)});
     }
-    return StepDrawer(grammar, *choices, key, node.accepted, around, record).draw(std::move(runners));
+    return StepDrawer(grammar, design, *choices, key, node.accepted, around, record).draw(std::move(runners));
 }
 
 }  // namespace filigree::shape

@@ -42,7 +42,13 @@ struct Rule {
 };
 
 // How automatic derivation picks among the applications of the rule that it has drawn.
-enum class Pick : std::uint8_t { random, first, all };
+enum class Pick : std::uint8_t {
+    random,
+    first,
+    all,
+    orbit
+};  // orbit: a random one, and all that the design's
+    // symmetries make of it
 
 // apply NAME at PLACE [angle A] [scale S] [mirrored] [orbit]
 struct ApplyAt {
@@ -65,6 +71,7 @@ struct Show {
     bool control_polygons = false;       // as QI draws them
     bool points = false;                 // the ends of elements
     bool labels = false;                 // labelled points, with their labels
+    bool dots = false;                   // the same as dots alone
     std::vector<std::uint32_t> matches;  // rules whose matches are shown
     std::optional<std::uint32_t> film;   // all states side by side, in so many columns; 0: as many as rows
 };

@@ -162,9 +162,11 @@ private:
             grammar_.pick = Pick::first;
         else if (word == "all")
             grammar_.pick = Pick::all;
+        else if (word == "orbit")
+            grammar_.pick = Pick::orbit;
         else {
-            std::vector<std::string> hints = did_you_mean(word, {"random", "first", "all"});
-            if (hints.empty()) hints.push_back("one of random, first and all");
+            std::vector<std::string> hints = did_you_mean(word, {"random", "first", "all", "orbit"});
+            if (hints.empty()) hints.push_back("one of random, first, all and orbit");
             fail(error("shape.bad-choose", "'choose' does not know '" + word + "'", expression.span, hints));
         }
     }
@@ -200,6 +202,8 @@ private:
             show.points = true;
         else if (name == "labels")
             show.labels = true;
+        else if (name == "dots")
+            show.dots = true;
         else if (name == "film") {
             show.film = 0;
             if (call == nullptr || call->arguments.empty()) return;
@@ -228,9 +232,10 @@ private:
                 }
             }
         } else {
-            const std::vector<std::string_view> known = {"control_polygons", "points", "labels", "matches", "film"};
+            const std::vector<std::string_view> known = {"control_polygons", "points", "labels", "dots",
+                                                         "matches",          "film"};
             std::vector<std::string> hints = did_you_mean(name, known);
-            if (hints.empty()) hints.push_back("one of control_polygons, points, labels, matches(RULE) and film");
+            if (hints.empty()) hints.push_back("one of control_polygons, points, labels, dots, matches(RULE) and film");
             fail(error("shape.bad-show", "there is no '" + name + "' to show", span, hints));
         }
     }
