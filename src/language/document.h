@@ -148,16 +148,22 @@ struct CellStatement {
     std::vector<ExpressionPtr> indexes;
     Name text;
 };
+// "ab"@2..5: symbols, and of what they go through some numbers
+struct NumberedSymbols {
+    Name text;
+    std::uint32_t first = 1, last = UINT32_MAX;
+};
 // mask a@2, "b+" when depth > 2, or sleep a until age > 3: symbols that stay as they are, in these iterations, where
 // the condition holds, or as long as it does not
 struct RestStatement {
-    struct Symbols {
-        Name text;
-        std::uint32_t first = 1, last = UINT32_MAX;
-    };
     bool is_until = false;
-    std::vector<Symbols> symbols;
+    std::vector<NumberedSymbols> symbols;
     ExpressionPtr condition;  // null if absent, which may be in a mask
+};
+// loop a 3, or loop "ab"@2, c side: for how many iterations these rules of the symbols serve, counted from 1
+struct LoopStatement {
+    std::vector<NumberedSymbols> symbols;
+    ExpressionPtr length;
 };
 // once insert("T+", at: "a"), or after 3, after 2..5, each iteration: an edit of the whole word
 struct WordEditStatement {
@@ -268,8 +274,8 @@ struct Statement {
                  IncludeStatement, ParamStatement, LetStatement, PageStatement, LimitStatement, SymmetryStatement,
                  PaletteStatement, StartStatement, StyleStatement, GroupRule, PresetStatement, KeepStatement,
                  RerollStatement, ApplyStatement, SystemStatement, OperatorStatement, WordRule, MacroStatement,
-                 CellStatement, SettingStatement, RestStatement, WordEditStatement, ShapeRule, RulesFromStatement,
-                 MatchStatement, BackStatement>
+                 CellStatement, SettingStatement, RestStatement, LoopStatement, WordEditStatement, ShapeRule,
+                 RulesFromStatement, MatchStatement, BackStatement>
         node;
 };
 

@@ -14,6 +14,8 @@ namespace filigree {
 namespace {
 
 constexpr std::string_view arrow_sign = "\xE2\x86\x92";  // U+2192
+constexpr std::string_view iteration_wanted = "the number of an iteration, from 1";
+constexpr std::string_view row_wanted = "the number of a row, from 1";
 constexpr std::string_view rule_example = "a rule is written as in 'a -> \"ab\"'";
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
@@ -84,6 +86,8 @@ std::optional<Statement> Parser::read_word_statement() {
     const bool is_name = first.kind == TokenKind::name;
     if (is_name && (bytes_of(first) == "mask" || bytes_of(first) == "sleep")) {
         if (auto rest = read_rest()) statement.node = std::move(*rest);
+    } else if (is_name && bytes_of(first) == "loop") {
+        if (auto loop = read_loop()) statement.node = std::move(*loop);
     } else if (is_word_edit(first)) {
         if (auto edit = read_word_edit()) statement.node = std::move(*edit);
     } else if (is_name && find_word_setting(bytes_of(first)) != nullptr) {
@@ -138,20 +142,7 @@ std::optional<RestStatement> Parser::read_rest() {
     const Token keyword = take();
     rest.is_until = bytes_of(keyword) == "sleep";
     const std::string example = "write it as in '" + std::string(find_word_setting(bytes_of(keyword))->example) + "'";
-    do {
-        RestStatement::Symbols symbols;
-        if (at(TokenKind::text)) {
-            std::optional<std::string> text = read_text("symbols", symbols.text.span);
-            if (!text) return std::nullopt;
-            symbols.text.text = with_tildes(std::move(*text));
-        } else {
-            std::optional<Name> symbol = read_symbol("a symbol");
-            if (!symbol) return std::nullopt;
-            symbols.text = std::move(*symbol);
-        }
-        if (accept_sign('@') && !read_iterations(symbols.first, symbols.last)) return std::nullopt;
-        rest.symbols.push_back(std::move(symbols));
-    } while (accept(TokenKind::comma));
+    if (!read_numbered_symbols(rest.symbols, iteration_wanted)) return std::nullopt;
     const std::string_view clause = rest.is_until ? "until" : "when";
     if (rest.is_until && !at_word(clause)) {
         fail_expected("language.missing-condition", "'until' and a condition", {example});
@@ -159,6 +150,40 @@ std::optional<RestStatement> Parser::read_rest() {
     }
     if (!read_clauses({{clause, &rest.condition}})) return std::nullopt;
     return rest;
+}
+
+// loop SYMBOLS[@rows], ... LENGTH
+std::optional<LoopStatement> Parser::read_loop() {
+    LoopStatement loop;
+    take();
+    if (!read_numbered_symbols(loop.symbols, row_wanted)) return std::nullopt;
+    if (at_statement_end()) {
+        fail_expected("language.missing-value", "a number of iterations",
+                      {"write it as in '" + std::string(find_word_setting("loop")->example) + "'"});
+        return std::nullopt;
+    }
+    loop.length = read_expression();
+    if (!loop.length) return std::nullopt;
+    return loop;
+}
+
+// SYMBOLS[@numbers], ...: one without quotes, or several in quotes
+bool Parser::read_numbered_symbols(std::vector<NumberedSymbols>& all, std::string_view wanted_number) {
+    do {
+        NumberedSymbols symbols;
+        if (at(TokenKind::text)) {
+            std::optional<std::string> text = read_text("symbols", symbols.text.span);
+            if (!text) return false;
+            symbols.text.text = with_tildes(std::move(*text));
+        } else {
+            std::optional<Name> symbol = read_symbol("a symbol");
+            if (!symbol) return false;
+            symbols.text = std::move(*symbol);
+        }
+        if (accept_sign('@') && !read_numbers(symbols.first, symbols.last, wanted_number)) return false;
+        all.push_back(std::move(symbols));
+    } while (accept(TokenKind::comma));
+    return true;
 }
 
 // R = random 1..8 "abbccc" [unique]
@@ -324,24 +349,27 @@ std::optional<WordRule> Parser::read_word_rule(Name symbols) {
 
 // 3, or 2..5
 bool Parser::read_iterations(std::uint32_t& first, std::uint32_t& last) {
-    const std::optional<std::uint32_t> low = read_iteration();
+    return read_numbers(first, last, iteration_wanted);
+}
+bool Parser::read_numbers(std::uint32_t& first, std::uint32_t& last, std::string_view wanted) {
+    const std::optional<std::uint32_t> low = read_number_from_one(wanted);
     if (!low) return false;
     first = last = *low;
     if (!accept(TokenKind::range)) return true;
-    const std::optional<std::uint32_t> high = read_iteration();
+    const std::optional<std::uint32_t> high = read_number_from_one(wanted);
     if (!high) return false;
     last = *high;
     if (last >= first) return true;
-    fail(peek(), error("language.empty-range", "this range of iterations is empty", span_from(taken_end_ - 1)));
+    fail(peek(), error("language.empty-range", "this range is empty", span_from(taken_end_ - 1)));
     return false;
 }
 
-std::optional<std::uint32_t> Parser::read_iteration() {
+std::optional<std::uint32_t> Parser::read_number_from_one(std::string_view wanted) {
     const Token token = peek();
     const bool is_whole = token.kind == TokenKind::number && token.unit == Unit::none &&
                           token.number == std::floor(token.number) && token.number >= 1 && token.number < 4e9;
     if (!is_whole) {
-        fail_expected("language.missing-iteration", "the number of an iteration, from 1");
+        fail_expected("language.missing-iteration", wanted);
         return std::nullopt;
     }
     take();
@@ -376,7 +404,7 @@ std::optional<WordSuccessor> Parser::read_word_successor() {
             fail_expected("language.missing-iteration", "'@' and an iteration", {"write it as in 'goto a@3'"});
             return std::nullopt;
         }
-        const std::optional<std::uint32_t> iteration = read_iteration();
+        const std::optional<std::uint32_t> iteration = read_number_from_one(iteration_wanted);
         if (!iteration) return std::nullopt;
         successor.iteration = *iteration;
     } else if (at(TokenKind::name) && token_behind(peek()).kind == TokenKind::open_square) {

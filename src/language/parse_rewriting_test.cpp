@@ -72,6 +72,17 @@ TEST(ParseRewriting, MasksAndSleep) {
     EXPECT_EQ(understood("mask a,"), "language.missing-symbol@");
 }
 
+TEST(ParseRewriting, Loops) {
+    EXPECT_EQ(understood("loop a 3"), "loop \"a\" 3");
+    EXPECT_EQ(understood("loop a@2, \"b+\" @ 3..5 count + side"), "loop \"a\"@2..2, \"b+\"@3..5 (count + side)");
+    EXPECT_EQ(understood("loop ~n (t)"), "loop \"\u00F1\" t");
+    EXPECT_EQ(understood("loop"), "language.missing-symbol@");
+    EXPECT_EQ(understood("loop a"), "language.missing-value@");
+    EXPECT_EQ(understood("loop a@2"), "language.missing-value@");
+    EXPECT_EQ(understood("loop a@0 3"), "language.missing-iteration@0");
+    EXPECT_EQ(understood("loop a 3 when t > 2"), "language.unexpected-token@when");
+}
+
 TEST(ParseRewriting, Lookups) {
     EXPECT_EQ(understood("image wall \"a.png\" over 0, 0, 400, 300"), "image wall, \"a.png\", over, 0, 0, 400, 300");
     EXPECT_EQ(understood("data d \"a.csv\" over -5, -k, 9, 9 outside wrap"),
@@ -127,6 +138,7 @@ TEST(ParseRewriting, DamagedRulesAreSurvived) {
         "R = random 1..8 \"abbccc\" unique",
         "gain q 1 g 2",
         "M[3][9] -> \"ab\"",
+        "loop \"ab\"@2..3, c count * 2",
         "\u00F1 -> \"a\""};
     for (std::uint64_t seed = 0; seed < 3 * case_count(); ++seed) {
         CaseRandom random(seed);

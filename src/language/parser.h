@@ -179,8 +179,11 @@ private:
     std::optional<CellStatement> read_cell(Name array);
     bool read_indexes(std::vector<ExpressionPtr>& indexes);
     std::optional<RestStatement> read_rest();
+    std::optional<LoopStatement> read_loop();
+    bool read_numbered_symbols(std::vector<NumberedSymbols>& all, std::string_view wanted_number);
     bool read_iterations(std::uint32_t& first, std::uint32_t& last);
-    std::optional<std::uint32_t> read_iteration();
+    bool read_numbers(std::uint32_t& first, std::uint32_t& last, std::string_view wanted);
+    std::optional<std::uint32_t> read_number_from_one(std::string_view wanted);
     bool read_word_successors(WordRule& rule);
     std::optional<WordSuccessor> read_word_successor();
     bool read_assignments(WordRule& rule);

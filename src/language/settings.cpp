@@ -225,6 +225,7 @@ private:
     void read(const Statement&, const CellStatement&) {}
     void read(const Statement&, const SettingStatement&) {}
     void read(const Statement&, const RestStatement&) {}
+    void read(const Statement&, const LoopStatement&) {}
     void read(const Statement&, const WordEditStatement&) {}
     // Read by the engine of shapes.
     void read(const Statement&, const ShapeRule&) {}

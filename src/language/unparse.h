@@ -206,12 +206,11 @@ struct StatementUnparser {
         return node.array.text + indexes(node.indexes) + " -> " + unparse_text(node.text.text);
     }
     std::string operator()(const RestStatement& node) const {
-        std::string result = node.is_until ? "sleep " : "mask ";
-        for (const RestStatement::Symbols& symbols : node.symbols) {
-            if (&symbols != &node.symbols.front()) result += ", ";
-            result += unparse_text(symbols.text.text) + iterations(symbols.first, symbols.last);
-        }
-        return result + with(node.is_until ? "until" : "when", node.condition);
+        return (node.is_until ? "sleep" : "mask") + numbered(node.symbols) +
+               with(node.is_until ? "until" : "when", node.condition);
+    }
+    std::string operator()(const LoopStatement& node) const {
+        return "loop" + numbered(node.symbols) + " " + unparse(node.length);
     }
     std::string operator()(const WordEditStatement& node) const {
         std::string result = "after " + to_text(std::uint64_t{node.first}) + ".." + to_text(std::uint64_t{node.last});
@@ -251,6 +250,14 @@ struct StatementUnparser {
     std::string operator()(const BackStatement& node) const { return "back to " + node.name.text; }
 
 private:
+    static std::string numbered(const std::vector<NumberedSymbols>& all) {
+        std::string result;
+        for (const NumberedSymbols& symbols : all) {
+            result += &symbols == &all.front() ? " " : ", ";
+            result += unparse_text(symbols.text.text) + iterations(symbols.first, symbols.last);
+        }
+        return result;
+    }
     static std::string iterations(std::uint32_t first, std::uint32_t last) {
         if (last == UINT32_MAX) return "";
         return "@" + to_text(std::uint64_t{first}) + ".." + to_text(std::uint64_t{last});

@@ -11,6 +11,10 @@ constexpr std::array settings = {
     WordSetting{"iterations", "iterations 5", "how many times the word is rewritten"},
     WordSetting{"free", "free s n", "special letters that are ordinary ones here"},
     WordSetting{"gain", "gain q 1 g 2", "by how many symbols a run of a counter grows in an iteration"},
+    WordSetting{
+        "loop", "loop \"ab\"@2 side",
+        "for how many iterations the rules of these letters serve, as rows, or some of their rules: a rule's own "
+        "`loop` goes first"},
     WordSetting{"after", "after hold", "what a letter does behind its last row: identity, hold or cycle"},
     WordSetting{"memory", "memory last", "which draw of a macro is recalled: first or last"},
     WordSetting{"random", "random position", "what draws are addressed by: lineage or position"},

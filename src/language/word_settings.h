@@ -1,4 +1,5 @@
-// What a rewriting document says of its words in one form, NAME and values; `mask` and `sleep` have clauses besides.
+// What a rewriting document says of its words in one form, NAME and values; `mask`, `sleep` and `loop`
+// begin with symbols instead.
 // The closed table that the parser, its messages and the reference read.
 #pragma once
 

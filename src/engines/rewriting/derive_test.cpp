@@ -174,6 +174,21 @@ TEST(Derive, RowsServeTheirIterations) {
     EXPECT_EQ(words(rows + "after cycle", 5), "a ab abb acbb abcbb abbcbb");
     EXPECT_EQ(words("axiom \"a\"\na -> \"b\" loop 0", 2), "a a a");
     EXPECT_EQ(words("axiom \"a\"\na -> \"b\" loop 0\nafter cycle", 2), "a a a");
+    // Of whole rows: of a letter, of the second rules of several; a parameter, a register that rules change.
+    EXPECT_EQ(words("axiom \"a\"\nloop a 2\na -> \"ab\"\na -> \"ac\" loop 1", 4), "a ab abb acbb acbb");
+    EXPECT_EQ(words("param n = 2 in 1..9\naxiom \"ab\"\nloop \"ab\"@2 n\na -> \"ac\"\na -> \"ad\"\na -> \"ae\"\n"
+                    "b -> \"b\"\nb -> \"bf\"",
+                    4),
+              "ab acb adcbf addcbff aeddcbff");
+    EXPECT_EQ(words("axiom \"a\"\nafter cycle\nregister k 1\nloop a@1 k\na -> \"ba\"\na -> \"+a\" { k = k + 1 }", 5),
+              "a ba b+a b+ba b+bba b+bb+a");
+    EXPECT_EQ(
+        words("axiom \"A\"\na -> \"aa\"\nsystem A { mode grow; axiom \"a\"; iterations 9; loop a 2; a -> \"ab\" }", 4),
+        "A a ab abb abb")
+        << "of this system's letter";
+    EXPECT_EQ(words("axiom \"a\"\nloop b 2\na -> \"b\"", 1), "rewriting.no-such-row");
+    EXPECT_EQ(words("axiom \"a\"\nloop a@2 2\na -> \"b\"", 1), "rewriting.no-such-row");
+    EXPECT_EQ(words("axiom \"a\"\nloop a age\na -> \"b\"", 1), "language.unknown-name");
 }
 
 TEST(Derive, SubsystemsAtOnceAndGrowing) {

@@ -58,7 +58,7 @@ struct Rule {
     char32_t letter = 0;
     std::uint32_t first = 1, last = every_iteration;  // iterations in which it applies
     std::vector<Successor> successors;                // one is drawn by weight where there are several
-    ExpressionPtr loop;                               // the rules of the letter are rows; null: no loop is said
+    ExpressionPtr loop;                               // the rules of the letter are rows; null: none is said here
     ExpressionPtr condition;                          // null: always
     std::vector<Assignment> assignments;
     Key key;
@@ -71,6 +71,14 @@ struct Rest {
     std::uint32_t first = 1, last = every_iteration;
     ExpressionPtr condition;  // null: always
     bool is_until = false;    // it rests as long as the condition does not hold
+    SourceSpan span;
+};
+
+// loop a@2 side: for how many iterations these rows of a letter serve, where their rules say nothing.
+struct RowLoop {
+    char32_t letter = 0;
+    std::uint32_t first = 1, last = UINT32_MAX;  // rows
+    ExpressionPtr length;
     SourceSpan span;
 };
 
@@ -97,6 +105,7 @@ struct System {
     Pattern axiom;
     std::vector<Rule> rules;
     std::vector<Rest> rests;
+    std::vector<RowLoop> loops;  // the last that names a row counts
     std::vector<Macro> macros;
     std::vector<Gain> gains;  // 1 where nothing is said
     std::u32string ignored;   // letters that contexts look past

@@ -25,7 +25,7 @@ std::optional<Substitution> plain_substitution(Derivation& derivation, const Gra
     if (!word.origins.empty() || !word.keys.empty() || !word.ages.empty()) return std::nullopt;
     if (!grammar.edits.empty()) return std::nullopt;
     const System& system = grammar.systems[derivation.scopes[0].system];
-    if (!system.rests.empty()) return std::nullopt;
+    if (!system.rests.empty() || !system.loops.empty()) return std::nullopt;
     if (!std::all_of(system.rules.begin(), system.rules.end(), [](const Rule& rule) { return is_plain(rule); })) {
         return std::nullopt;
     }

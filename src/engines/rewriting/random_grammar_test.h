@@ -190,6 +190,7 @@ private:
             const bool is_rare = letter == U'c' || letter == U'+' || letter == U'i';
             if (may && chance(is_rare ? 20 : 85)) add_rules(system, letter, which);
             if (chance(Feature::rests, 35)) add_rest(system, letter);
+            if (chance(Feature::loops, 25)) add_row_loop(system, letter);
         }
     }
     void add_rest(System& system, char32_t letter) {
@@ -200,6 +201,14 @@ private:
         rest.is_until = random_.coin();
         if (rest.is_until || chance(70)) rest.condition = expression(condition());
         system.rests.push_back(rest);
+    }
+    void add_row_loop(System& system, char32_t letter) {
+        RowLoop loop;
+        loop.letter = letter;
+        if (chance(40)) loop.first = 1 + random_.below(3);
+        if (chance(40)) loop.last = loop.first + random_.below(2);
+        loop.length = expression(row_length());
+        system.loops.push_back(loop);
     }
     void add_macro(System& system, char32_t letter, std::size_t which) {
         Macro macro;
@@ -364,6 +373,10 @@ inline std::string described(const System& system) {
                 to_utf8(macro.letters) + "\"" + (macro.is_unique ? " unique\n" : "\n");
     }
     for (const Rule& rule : system.rules) text += described(rule) + "\n";
+    for (const RowLoop& loop : system.loops) {
+        text += "loop " + letter_text(loop.letter) + "@" + number(loop.first) + ".." + number(loop.last) + " " +
+                unparse(loop.length) + "\n";
+    }
     for (const Rest& rest : system.rests) {
         text += (rest.is_until ? "sleep " : "mask ") + letter_text(rest.letter) + "@" + number(rest.first) + ".." +
                 number(rest.last);

@@ -346,7 +346,11 @@ private:
             if (const auto* rest = std::get_if<RestStatement>(&statement.node)) {
                 read_rest(*rest, statement.span, grammar_.systems[which]);
             }
+            if (const auto* loop = std::get_if<LoopStatement>(&statement.node)) {
+                read_loop(*loop, grammar_.systems[which]);
+            }
         }
+        check_loops(grammar_.systems[which]);
         if (axiom == nullptr) {
             const SourceSpan at = which == 0 ? settings_.engine_span : name.span;
             report(error("rewriting.missing-axiom", "there is no axiom to begin with", at,
@@ -474,7 +478,7 @@ private:
 
     void read_rest(const RestStatement& said, SourceSpan span, System& system) {
         if (said.condition) check_condition_of(said.condition);
-        for (const RestStatement::Symbols& symbols : said.symbols) {
+        for (const NumberedSymbols& symbols : said.symbols) {
             const std::u32string letters = letters_of(symbols.text.text);
             if (letters.empty() || letters.find(U'=') != std::u32string::npos) {
                 report(error("rewriting.bad-letter", "expected symbols that can stay as they are, not '=' or a blank",
@@ -484,6 +488,27 @@ private:
             for (const char32_t letter : letters) {
                 system.rests.push_back({letter, symbols.first, symbols.last, said.condition, said.is_until, span});
             }
+        }
+    }
+
+    void read_loop(const LoopStatement& said, System& system) {
+        check_number(said.length, facts_of_row_);
+        for (const NumberedSymbols& symbols : said.symbols) {
+            for (const char32_t letter : letters_of(symbols.text.text)) {
+                system.loops.push_back({letter, symbols.first, symbols.last, said.length, symbols.text.span});
+            }
+        }
+    }
+    // Once all rules are there.
+    void check_loops(const System& system) {
+        for (const RowLoop& loop : system.loops) {
+            const auto rows = std::count_if(system.rules.begin(), system.rules.end(),
+                                            [&](const Rule& rule) { return rule.letter == loop.letter; });
+            if (rows >= loop.first) continue;
+            report(warning("rewriting.no-such-row",
+                           quoted(loop.letter) + " has " + (rows == 0 ? "no rules" : "fewer rules") +
+                               ", so this loop does nothing",
+                           loop.span));
         }
     }
 

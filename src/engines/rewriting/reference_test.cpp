@@ -104,6 +104,7 @@ TEST(Reference, WordsWorkedOutByHand) {
     EXPECT_EQ(word("axiom \"ABC[DE][SG[HI[JK]L]MNO]\"\nB C < S > G[H]M -> \"X\"", 1), "ABC[DE][XG[HI[JK]L]MNO]");
     EXPECT_EQ(word("axiom \"ab\"\nafter cycle\na -> \"ab\" loop 2\na -> \"c\" loop 1\nb -> \"bb\" loop 1", 3),
               "cbbbbbbbbbbbbbb");
+    EXPECT_EQ(word("axiom \"ab\"\nloop \"ab\" 2\na -> \"ac\"\na -> \"ad\" loop 1\nb -> \"be\"", 5), "adccbee");
     EXPECT_EQ(word("axiom \"aAb\"\na -> \"aa\"\nsystem A { axiom \"c\"; c -> \"cd\"; iterations 3 }", 2), "aaaacdddb");
 }
 
@@ -139,6 +140,10 @@ TEST(Reference, EngineAgreesOverWhatWasOnceDifferent) {
         // What grows for letters that are drawn in different ways is one system.
         {"axiom \"AB\"\nsystem A { axiom \"B\"; angle 7 }\nsystem B { axiom \"R=\"; mode grow; iterations 3; "
          "R = random 1..3 \"abR\" }"},
+        // The last loop that names a row counts, and that of the rule before all others.
+        {"axiom \"a\"\nafter cycle\nregister k 2\nloop a 5\nloop a@2..3 k\nloop a@2 t\na -> \"ab\" loop 1\n"
+         "a -> \"ac\"\na -> \"ad\" { k = 1 }",
+         9},
         // A symbol that might put a system, but stands nowhere any more.
         {"axiom \"B\"\nsystem B { axiom \"abc\"; mode grow; iterations 1 }", 120},
     };

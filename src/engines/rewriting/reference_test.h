@@ -294,9 +294,21 @@ private:
         }
         return rules;
     }
+    // Of the k-th rule, from 0.
+    ExpressionPtr loop_of(Instance instance, char32_t letter, std::size_t k) const {
+        const Rule* rule = rules_of(instance, letter)[k];
+        if (rule->loop) return rule->loop;
+        ExpressionPtr length;
+        for (const RowLoop& loop : system_of(instance).loops) {
+            if (loop.letter == letter && loop.first <= k + 1 && k + 1 <= loop.last) length = loop.length;
+        }
+        return length;
+    }
     bool has_rows(Instance instance, char32_t letter) const {
         bool has = false;
-        for (const Rule* rule : rules_of(instance, letter)) has = has || rule->loop;
+        for (std::size_t k = 0; k < rules_of(instance, letter).size(); ++k) {
+            has = has || loop_of(instance, letter, k);
+        }
         return has;
     }
     State::Row& row_of(Instance instance, char32_t letter) {
@@ -342,7 +354,7 @@ private:
                 break;
             }
             double length = 1;
-            if (const ExpressionPtr& loop = rules[row.row]->loop) {
+            if (const ExpressionPtr loop = loop_of(row.instance, row.letter, row.row)) {
                 const auto asked = asking(iteration, row.letter).number(loop);
                 if (!asked || *asked < 0) return fail(Outcome::wrong);
                 length = *asked;

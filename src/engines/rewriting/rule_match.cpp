@@ -12,8 +12,20 @@ namespace {
 
 Value number(double value) { return Value{Quantity{value}, {}}; }
 
-bool are_rows(const std::vector<const Rule*>& rules) {
-    return std::any_of(rules.begin(), rules.end(), [](const Rule* rule) { return rule->loop != nullptr; });
+// For how many iterations a row of a letter serves; null where nothing says so.
+const ExpressionPtr& loop_of(const System& system, const std::vector<const Rule*>& rules, std::size_t row) {
+    const Rule& rule = *rules[row];
+    if (rule.loop) return rule.loop;
+    const auto loop = std::find_if(system.loops.rbegin(), system.loops.rend(), [&](const RowLoop& said) {
+        return said.letter == rule.letter && said.first <= row + 1 && row + 1 <= said.last;
+    });
+    return loop == system.loops.rend() ? rule.loop : loop->length;
+}
+bool are_rows(const System& system, const std::vector<const Rule*>& rules) {
+    for (std::size_t row = 0; row < rules.size(); ++row) {
+        if (loop_of(system, rules, row)) return true;
+    }
+    return false;
 }
 bool looks_up(const Rule& rule) {
     return std::any_of(rule.successors.begin(), rule.successors.end(),
@@ -63,7 +75,7 @@ bool RuleMatcher::advance_rows() {
             if (met.find(rule.letter) != std::u32string::npos) continue;
             met += rule.letter;
             const std::vector<const Rule*> rules = rules_of(scope, rule.letter);
-            if (!are_rows(rules)) continue;
+            if (!are_rows(system_of(scope), rules)) continue;
             const auto [at, is_new] = derivation_.rows.try_emplace({scope, rule.letter});
             if (!advance(at->second, is_new, scope, clock_of(scope), rules)) return false;
         }
@@ -92,7 +104,7 @@ bool RuleMatcher::advance(Derivation::Row& row, bool is_new, std::uint32_t scope
             row.row = 0;
         }
         row.left = 1;
-        if (const ExpressionPtr& loop = rules[row.row]->loop) {
+        if (const ExpressionPtr& loop = loop_of(system_of(scope), rules, row.row)) {
             const Result<double> times = value_of(loop, names_of_row(iteration, rules[row.row]->letter));
             if (!times) return fail(times.diagnostics().front());
             if (std::optional<Diagnostic> wrong = wrong_loop(*times, loop->span)) return fail(std::move(*wrong));
@@ -122,7 +134,7 @@ std::vector<const Rule*> RuleMatcher::candidates(std::uint32_t scope, char32_t l
 
 std::optional<const Rule*> RuleMatcher::first_rule(std::uint32_t scope, char32_t letter, std::uint32_t iteration) {
     std::vector<const Rule*> rules = rules_of(scope, letter);
-    if (are_rows(rules)) {
+    if (are_rows(system_of(scope), rules)) {
         Derivation::Row row;
         for (std::uint32_t t = 1; t <= iteration; ++t) {
             if (!advance(row, t == 1, scope, t, rules)) return std::nullopt;

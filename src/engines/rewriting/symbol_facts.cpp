@@ -88,6 +88,7 @@ FactSet facts_asked(const Grammar& grammar) {
     for (const System& system : grammar.systems) {
         for (const Rule& rule : system.rules) asking.look_at(rule);
         for (const Rest& rest : system.rests) asking.look_at(rest.condition);
+        for (const RowLoop& loop : system.loops) asking.look_at(loop.length);
     }
     return asking.asked;
 }
