@@ -264,6 +264,12 @@ inline bool is_fixed(const Curves& left) {
     return std::abs(p - q) > 1e-3;
 }
 
+// Whether two maps make the same picture of the left side, to within `reach` there.
+inline bool is_same(const Curves& left, const Map& a, const Map& b, double reach) {
+    const double ratio = std::abs(a.m) / std::abs(b.m);
+    return std::fabs(ratio - 1) < 1e-3 && lies_on(left, chained(undone(b), a), left, reach / std::abs(b.m));
+}
+
 // All maps of the left side onto the design that are not smaller; those that give the same picture once.
 inline std::vector<Map> all_maps(const Shape& left_shape, const Shape& design_shape, double min_scale, double reach) {
     const Curves left = curves_of(left_shape), design = curves_of(design_shape);
@@ -271,7 +277,7 @@ inline std::vector<Map> all_maps(const Shape& left_shape, const Shape& design_sh
     const auto take = [&](const Map& map) {
         if (!(std::norm(map.m) >= min_scale * min_scale) || !lies_on(left, map, design, reach)) return;
         for (const Map& other : found) {
-            if (lies_on(left, chained(undone(other), map), left, reach / std::abs(other.m))) return;
+            if (is_same(left, map, other, reach)) return;
         }
         found.push_back(map);
     };

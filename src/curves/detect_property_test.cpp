@@ -117,9 +117,7 @@ std::size_t expect_same_matches(const Scene& scene) {
         const Transform& by = match.by;
         const brute::Map map{{by.a, by.b}, {by.e, by.f}, match.is_reflected};
         EXPECT_TRUE(brute::lies_on(left, map, design, reach));
-        const auto is_same = [&](const brute::Map& other) {
-            return brute::lies_on(left, brute::chained(brute::undone(other), map), left, reach / match.scale);
-        };
+        const auto is_same = [&](const brute::Map& other) { return brute::is_same(left, map, other, reach); };
         EXPECT_EQ(std::count_if(maps.begin(), maps.end(), is_same), 1);
     }
     return maps.size();
