@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "curves/algebra.h"
 #include "curves/match_order.h"
 #include "curves/search.h"
 
@@ -28,6 +29,28 @@ std::vector<Symmetry> symmetries(const Shape& shape, const MatchOptions& options
         return std::pair(a.is_reflected, angle_of(a.by)) < std::pair(b.is_reflected, angle_of(b.by));
     });
     return found;
+}
+
+std::vector<Symmetry> variants(std::span<const Symmetry> symmetries, const Shape& right,
+                               std::span<const Shape> conditions, double tolerance) {
+    std::vector<Symmetry> different;
+    for (const Symmetry& g : symmetries) {
+        const auto looks_alike = [&](const Symmetry& other) {
+            const auto is_same = [&](const Shape& shape) {
+                return are_equal(transformed(shape, g.by), transformed(shape, other.by), tolerance);
+            };
+            return is_same(right) && std::all_of(conditions.begin(), conditions.end(), is_same);
+        };
+        if (std::none_of(different.begin(), different.end(), looks_alike)) different.push_back(g);
+    }
+    return different;
+}
+
+std::vector<Transform> applications(const Match& match, std::span<const Symmetry> variants) {
+    std::vector<Transform> by;
+    by.reserve(variants.size());
+    for (const Symmetry& g : variants) by.push_back(compose(match.by, g.by));
+    return by;
 }
 
 }  // namespace filigree::curves
