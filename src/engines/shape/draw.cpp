@@ -359,7 +359,7 @@ Result<Picture> draw_design(const Derivation& derivation, const Grammar& grammar
     picture.elements = std::move(painter.elements);
     Diagnostics warnings;
     picture.drawing.canvas =
-        page_canvas(around.settings, around.document, grid_box(box, picture.scale), "the design", warnings);
+        page_canvas(around.settings, around.document, grid_box(box, picture.scale), "curves", warnings);
     return {std::move(picture), std::move(warnings)};
 }
 
