@@ -22,6 +22,7 @@ struct MatchOptions {
     double min_scale = 0, max_scale = std::numeric_limits<double>::infinity();
     std::size_t limit = 1000000;  // the search ends with so many matches
     Job job;
+    double visual_tolerance = 0;  // px; how far look-alikes may lie off (visual.h)
 };
 
 // One way in which a left side lies on a design.
@@ -34,6 +35,7 @@ struct Match {
     std::vector<std::uint32_t> carriers;  // the slot of the design on which each left element lies
     double misfit = 0;                    // of the element that fits worst, in tolerances
     bool is_ambiguous = false;            // it holds, but would not at a tenth of the tolerance
+    bool is_visual = false;               // by looks alone: descriptors differ (visual.h)
 
     bool operator==(const Match&) const = default;
 };
