@@ -143,6 +143,7 @@ std::string matches_text(const OpenedDocument& opened, const CheckedDocument& ch
             if (at.fit.is_reflected) text += "  mirrored";
             if (at.variant > 0) text += "  variant " + std::to_string(at.variant + 1);
             if (at.is_of_family) text += "  one of infinitely many";
+            if (at.fit.is_visual) text += "  looks alike only";
             if (at.fit.is_ambiguous) text += "  ambiguous";
             text += "\n";
         }
@@ -184,6 +185,7 @@ std::string matches_json(const OpenedDocument& opened, const CheckedDocument& ch
             }
             application["misfit"] = at.fit.misfit;
             application["ambiguous"] = at.fit.is_ambiguous;
+            application["visual"] = at.fit.is_visual;
             application["family"] = at.is_of_family;
             application["elements"] = at.fit.carriers;
             application["apply"] = apply_text(opened, checked, here, at, false);

@@ -10,6 +10,7 @@
 #include "curves/faces.h"
 #include "curves/maximal.h"
 #include "curves/symmetry.h"
+#include "curves/visual.h"
 #include "language/evaluate.h"
 #include "language/quantity.h"
 
@@ -187,6 +188,14 @@ Result<Applications> applications_of(const Grammar& grammar, std::uint32_t numbe
         for (const curves::Match& match : matches.found) add_variants(rule, match, false, found);
         for (const curves::Family& family : matches.families) {
             for (const curves::Match& member : family.members) add_variants(rule, member, true, found);
+        }
+        if (options.visual_tolerance > 0) {
+            for (const curves::Match& match : find_look_alikes(rule.left, design.index, options).found) {
+                const std::size_t first = found.all.size();
+                add_variants(rule, match, false, found);
+                const auto covered = covered_pieces(rule.left, design.index, match, options.visual_tolerance);
+                for (std::size_t i = first; i < found.all.size(); ++i) found.all[i].covered = covered;
+            }
         }
     }
     std::vector<Application> kept;

@@ -33,6 +33,8 @@ struct Application {
     std::uint32_t variant = 0;  // of the match, from 0
     curves::Match fit;          // the map, and what of the design the left side covers
     std::vector<Vec> corners;   // of `match corners`: where those of the left side lie; else empty
+    // Of a match by looks: what of the design it covers, which no descriptor tells; else empty.
+    std::vector<curves::Element> covered;
     Vec place;                  // px: where the middle of the left side lies
     bool is_of_family = false;  // one of infinitely many: a canonical member
 };

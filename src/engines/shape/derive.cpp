@@ -241,8 +241,9 @@ Step& apply_rule(Derivation& derivation, const Grammar& grammar, std::vector<App
     std::vector<Element> taken, put;
     for (std::size_t i = 0; i < at.size(); ++i) {
         const Rule& rule = grammar.rules[at[i].rule];
-        const Shape covered = placed(rule.left, rule, at[i], grammar.tolerance);
-        taken.insert(taken.end(), covered.elements.begin(), covered.elements.end());
+        const std::vector<Element> covered =
+            at[i].covered.empty() ? placed(rule.left, rule, at[i], grammar.tolerance).elements : at[i].covered;
+        taken.insert(taken.end(), covered.begin(), covered.end());
         put.insert(put.end(), puts[i].elements.begin(), puts[i].elements.end());
     }
     Step step;

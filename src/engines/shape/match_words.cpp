@@ -126,6 +126,7 @@ Result<MatchWord> match_of(const Value& value, const Document& document) {
                          value.span);
         }
     }
+    if (form.name == "visual") word.options.visual_tolerance = number_of(form, "tolerance");
     return word;
 }
 
