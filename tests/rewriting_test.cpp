@@ -1,6 +1,7 @@
 // Rewriting documents as a person meets them: on the command line.
 #include <gtest/gtest.h>
 
+#include "base/unicode.h"
 #include "tests/program.h"
 
 namespace filigree {
@@ -205,6 +206,32 @@ TEST(Rewriting, WhatIsTooLargeToDrawIsSaid) {
     EXPECT_NE(code("axiom \"{100000 b}\"\nletter b star(1000, 10, 4)\nlimit memory 100MB\n").find("limit.memory"),
               std::string::npos);
     EXPECT_NE(code("axiom \"{10 ~(10)}aP+a\"\nview 1, 1\n").find("rewriting.too-far"), std::string::npos);
+}
+
+TEST(Rewriting, WhatIsTooMuchIsSaidWhereTheDocumentSaysIt) {
+    const TestFolder folder;
+    folder.write("empty.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"9\" height=\"9\"/>");
+    const auto said = [&](const std::string& command, const std::string& text, std::string_view part) {
+        const std::string file = folder.write("a.fil", "grammar rewriting\n" + text);
+        const Ran ran = run_program(command + " " + file + (command == "render" ? " -o " + folder / "a.svg" : ""));
+        EXPECT_NE(ran.status, 0) << text;
+        EXPECT_NE(ran.out.find(part), std::string::npos) << part << "\n" << ran.out;
+    };
+    const std::string limit = "axiom \"a\"\nlimit elements 100\niterations 20\n";
+    said("derive", limit + "a -> \"aa\"\n", ":3:1: error: step 7 makes a word of 128 symbols");
+    said("derive", limit + "a -> \"aa\" when t > 0\n", ":3:1: error: iteration 7 would make a word of ");
+    said("derive", "axiom \"a\"\niterations 60\na -> \"aa\"\n", ":3:1: error: step 23 makes a word of ");
+    said("check", limit + "a -> \"b{10 {11 c}}\"\n", ":5:6: error: this text has more symbols than the 100");
+    said("check", limit + "a -> \"b\"\nb -> \"{1000000000000000000000000000000 {9e c}}\"\n",
+         ":6:6: error: this text has");
+    said("derive", limit + "register k 101\na -> \"{$k b}\"\n",
+         ":6:6: error: a text with its repeats has more symbols");
+    std::string letters;
+    for (char32_t letter = 0x4E00; letter < 0x4E00 + 300; ++letter) unicode::append_utf8(letters, letter);
+    said("derive", "iterations 1\naxiom \"" + letters + "\"\n", ":3:7: error: this grammar has more than 256");
+    said("derive", "iterations 1\naxiom \"a\"\na -> \"" + letters + "\"\n",
+         ":4:6: error: this grammar has more than 256");
+    said("render", "axiom \"b\"\nletter b file(\"empty.svg\")\n", ":3:10: error: ");
 }
 
 TEST(Rewriting, WordsGrowInsideShapes) {

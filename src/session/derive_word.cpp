@@ -48,6 +48,22 @@ std::shared_ptr<rewriting::WordChoices> word_choices(const OpenedDocument& opene
     return std::make_shared<rewriting::WordChoices>(std::move(walk), wanted);
 }
 
+// Where the document says the limit that was reached; else how often it derives.
+Diagnostics at_limit(Diagnostics problems, const Document& document) {
+    for (Diagnostic& problem : problems) {
+        if (problem.span.file != SourceSpan::no_file || !problem.code.starts_with("limit.")) continue;
+        for (const Statement& statement : document.statements) {
+            const auto* limit = std::get_if<LimitStatement>(&statement.node);
+            const auto* setting = std::get_if<SettingStatement>(&statement.node);
+            const bool is_limit = limit != nullptr && problem.code == "limit." + limit->name.text;
+            const bool is_count = setting != nullptr && setting->name.text == "iterations";
+            if (is_limit || (is_count && problem.span.file == SourceSpan::no_file)) problem.span = statement.span;
+            if (is_limit) break;
+        }
+    }
+    return problems;
+}
+
 }  // namespace
 
 double now_seconds() {
@@ -96,19 +112,19 @@ Result<rewriting::Derivation> derive_word(const OpenedDocument& opened, const Ch
         return !has_errors(warnings);
     };
     Result<rewriting::Derivation> derivation = rewriting::begin(grammar, options);
-    if (!derivation) return derivation.diagnostics();
+    if (!derivation) return at_limit(derivation.diagnostics(), opened.document);
     const std::uint64_t count = wanted.steps.value_or(grammar.systems[0].iterations);
     if (const auto plain = rewriting::plain_substitution(*derivation, grammar)) {
         std::optional<Diagnostic> problem =
             rewriting::step_plainly(*derivation, *plain, count, options.limits, executor);
-        if (problem) return std::move(*problem);
+        if (problem) return at_limit({std::move(*problem)}, opened.document);
         return finished(std::move(*derivation));
     }
     for (std::uint64_t i = 0; i < count; ++i) {
         report(job, "derive", static_cast<double>(i) / static_cast<double>(count));
         if (is_cancelled(job)) return cancelled_diagnostic();
         if (std::optional<Diagnostic> problem = rewriting::step(*derivation, grammar, options, job)) {
-            return std::move(*problem);
+            return at_limit({std::move(*problem)}, opened.document);
         }
         if (!edit(*derivation, rewriting::EditTime::iteration)) return warnings;
     }
@@ -125,7 +141,7 @@ Result<DrawnWord> draw_word(const OpenedDocument& opened, const CheckedDocument&
     const rewriting::DrawOptions draw{options.site.root, checked.shapes.get(), {job.cancel_flag, {}}};
     Result<rewriting::Picture> picture =
         rewriting::draw(*derivation, *checked.draw_rules, *checked.settings, opened.document, draw);
-    if (!picture) return picture.diagnostics();
+    if (!picture) return at_limit(picture.diagnostics(), opened.document);
     append(warnings, picture.diagnostics());
     ChoiceRecorder recorder;
     recorder.append(checked.settings->definitions);

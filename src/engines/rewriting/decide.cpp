@@ -110,12 +110,14 @@ private:
         plan_.images.push_back(std::move(image));
         return static_cast<std::uint32_t>(plan_.images.size() - 1);
     }
-    std::optional<std::uint32_t> image_of_letters(const std::u32string& letters, const Roles& roles, Home home) {
-        return image_of_symbols(symbols_of(letters, roles, home, derivation_.alphabet));
+    // `at`: where the document says them, for what goes wrong.
+    std::optional<std::uint32_t> image_of_letters(const std::u32string& letters, const Roles& roles, Home home,
+                                                  SourceSpan at) {
+        return image_of_symbols(symbols_of(letters, roles, home, derivation_.alphabet), at);
     }
-    std::optional<std::uint32_t> image_of_symbols(std::optional<std::vector<Symbol>> symbols) {
+    std::optional<std::uint32_t> image_of_symbols(std::optional<std::vector<Symbol>> symbols, SourceSpan at) {
         if (!symbols) {
-            fail(too_many_symbols());
+            fail(with_span({too_many_symbols()}, at).front());
             return std::nullopt;
         }
         return add_image({std::move(*symbols), false});
@@ -128,7 +130,7 @@ private:
         const Pattern* pattern = &successor.pattern;
         if (successor.kind == Successor::Kind::cell) pattern = cell_of(successor, names);
         if (pattern == nullptr) return std::nullopt;
-        return image_of_pattern(*pattern, home, names);
+        return image_of_pattern(*pattern, home, names, successor.span);
     }
     // What the target's first rule puts in that iteration; drawn among its successors by the symbol that jumps.
     std::optional<std::uint32_t> image_of_jump(const Successor& jump, Home home, std::size_t index,
@@ -156,15 +158,16 @@ private:
             return some.low <= number && number <= some.high;
         });
         if (row == lookup.rows.end()) return kept_image();
-        if (is_constant(row->pattern)) return image_of_pattern(row->pattern, home, names);
+        if (is_constant(row->pattern)) return image_of_pattern(row->pattern, home, names, row->span);
         Scope inner;
         inner.outer = &names;
         set_names(*value, inner);
-        return image_of_pattern(row->pattern, home, inner);
+        return image_of_pattern(row->pattern, home, inner, row->span);
     }
 
     // Fixed ones are made once an iteration.
-    std::optional<std::uint32_t> image_of_pattern(const Pattern& pattern, Home home, const Scope& names) {
+    std::optional<std::uint32_t> image_of_pattern(const Pattern& pattern, Home home, const Scope& names,
+                                                  SourceSpan at) {
         const bool is_fixed_one = is_constant(pattern);
         if (is_fixed_one) {
             const auto known = images_of_.find({home, &pattern});
@@ -174,10 +177,11 @@ private:
             expanded(pattern, options_.limits.elements,
                      [&](const ExpressionPtr& count) { return match_.value_of(count, names); });
         if (!letters) {
-            fail(letters.diagnostics().front());
+            fail(with_span(letters.diagnostics(), at).front());
             return std::nullopt;
         }
-        const std::optional<std::uint32_t> image = image_of_letters(*letters, match_.system_of(home.scope).roles, home);
+        const std::optional<std::uint32_t> image =
+            image_of_letters(*letters, match_.system_of(home.scope).roles, home, at);
         if (image && is_fixed_one) images_of_[{home, &pattern}] = *image;
         return image;
     }
@@ -230,8 +234,9 @@ private:
         const auto next = static_cast<std::uint32_t>(derivation_.scopes.size());
         const auto [scope, is_new] = begun_scopes_.try_emplace({entry.scope, system}, next);
         if (is_new) derivation_.scopes.push_back({system, match_.next_iteration()});
-        const std::optional<std::uint32_t> image = image_of_pattern(
-            grammar_.systems[system].axiom, {scope->second, gait_within(system, entry)}, match_.names());
+        const std::optional<std::uint32_t> image =
+            image_of_pattern(grammar_.systems[system].axiom, {scope->second, gait_within(system, entry)},
+                             match_.names(), grammar_.systems[system].axiom_span);
         if (image) begun_.emplace(symbol, *image);
         return image;
     }
@@ -243,8 +248,9 @@ private:
 
     // The word of a system after all its iterations, as symbols of the system that puts it.
     std::optional<std::uint32_t> grown(std::uint32_t system, const SymbolEntry& entry, std::size_t index) {
+        const SourceSpan axiom = grammar_.systems[system].axiom_span;
         if (options_.nested >= most_nested) {
-            fail(error("rewriting.endless-subsystem", "a subsystem puts itself, without an end"));
+            fail(error("rewriting.endless-subsystem", "a subsystem puts itself, without an end", axiom));
             return std::nullopt;
         }
         DeriveOptions options = options_;
@@ -262,7 +268,7 @@ private:
             return std::nullopt;
         }
         return image_of_symbols(
-            symbols_of(*inner, match_.system_of(entry.scope).roles, entry.scope, derivation_.alphabet));
+            symbols_of(*inner, match_.system_of(entry.scope).roles, entry.scope, derivation_.alphabet), axiom);
     }
 
     // --- decisions ---
@@ -360,7 +366,7 @@ private:
         if (macro == system.macros.end()) return kept_image();
         const auto known = derivation_.recalled.find({entry.scope, entry.letter});
         if (recalls && known != derivation_.recalled.end()) {
-            return image_of_letters(known->second, system.roles, home_of(entry));
+            return image_of_letters(known->second, system.roles, home_of(entry), {});
         }
         const std::uint64_t ordinal = drawn_[{entry.scope, entry.letter}]++;
         const std::optional<std::u32string> letters = match_.draw_letters(*macro, index, ordinal);
@@ -368,7 +374,7 @@ private:
         if (known == derivation_.recalled.end() || system.recalls_last) {
             derivation_.recalled[{entry.scope, entry.letter}] = *letters;
         }
-        return image_of_letters(*letters, system.roles, home_of(entry));
+        return image_of_letters(*letters, system.roles, home_of(entry), {});
     }
 
     Derivation& derivation_;

@@ -142,10 +142,10 @@ Result<Derivation> begin(const Grammar& grammar, const DeriveOptions& options, s
     names.outer = options.globals;
     for (const Register& known : grammar.registers) names.names[known.name] = Value{Quantity{known.value}, {}};
     const Result<std::u32string> axiom = put_text(system.axiom, options.document, names, options.limits.elements);
-    if (!axiom) return axiom.diagnostics();
+    if (!axiom) return with_span(axiom.diagnostics(), system.axiom_span);
     const Home home{0, derivation.alphabet.number_of(within(system.gait, options.around))};
     std::optional<std::vector<Symbol>> symbols = symbols_of(*axiom, system.roles, home, derivation.alphabet);
-    if (!symbols) return too_many_symbols();
+    if (!symbols) return with_span({too_many_symbols()}, system.axiom_span);
     drop_leading_freezes(*symbols);
     Word& word = derivation.word;
     word.symbols = std::move(*symbols);

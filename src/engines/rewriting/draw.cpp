@@ -110,7 +110,7 @@ private:
             } else {
                 const Result<std::shared_ptr<const ShapeOutlines>> outlines = options_.shapes->outlines(placed.form);
                 if (!outlines) {
-                    errors_ = outlines.diagnostics();
+                    errors_ = with_span(outlines.diagnostics(), placed.span);
                     return false;
                 }
                 polygons = clean((*outlines)->lines, (*outlines)->rule);

@@ -7,13 +7,6 @@
 namespace filigree::rewriting {
 namespace {
 
-Diagnostics with_span(Diagnostics diagnostics, SourceSpan span) {
-    for (Diagnostic& diagnostic : diagnostics) {
-        if (diagnostic.span.file == SourceSpan::no_file) diagnostic.span = span;
-    }
-    return diagnostics;
-}
-
 // The rules of the document's own system that put one fixed text, whenever they do.
 std::vector<ChunkPair> productions_of(const Grammar& grammar, std::uint64_t most) {
     std::vector<ChunkPair> productions;

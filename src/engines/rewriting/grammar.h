@@ -103,6 +103,7 @@ struct System {
     char32_t letter = 0;  // of a subsystem
     Roles roles;
     Pattern axiom;
+    SourceSpan axiom_span;
     std::vector<Rule> rules;
     std::vector<Rest> rests;
     std::vector<RowLoop> loops;  // the last that names a row counts

@@ -124,11 +124,26 @@ std::optional<double> constant_of(const ExpressionPtr& count) {
     return sign * number->value;
 }
 
+double whole_count(double count) { return std::floor(count + 1e-9); }
+
 bool are_constant(const std::vector<Pattern::Part>& parts) {
     for (const Pattern::Part& part : parts) {
         if (part.count && (!constant_of(part.count) || !are_constant(part.repeated))) return false;
     }
     return true;
+}
+
+std::optional<double> letter_count(const std::vector<Pattern::Part>& parts) {
+    double length = 0;
+    for (const Pattern::Part& part : parts) {
+        const std::optional<double> count = part.count ? constant_of(part.count) : 1;
+        const std::optional<double> once =
+            part.count ? letter_count(part.repeated) : static_cast<double>(part.letters.size());
+        if (!count || !once) return std::nullopt;
+        const double times = whole_count(*count);
+        if (times > 0 && *once > 0) length += times * *once;
+    }
+    return length;
 }
 
 Diagnostic too_long() {
@@ -151,7 +166,7 @@ std::optional<Diagnostic> expand(const std::vector<Pattern::Part>& parts, std::u
             if (!evaluated) return evaluated.diagnostics().front();
             count = *evaluated;
         }
-        count = std::floor(count + 1e-9);
+        count = whole_count(count);
         if (!(count > 0)) continue;
         std::u32string once;
         if (std::optional<Diagnostic> problem = expand(part.repeated, most, count_of, once)) return problem;
@@ -170,6 +185,7 @@ Result<Pattern> read_pattern(std::string_view text, SourceSpan at, bool free_bra
 }
 
 bool is_constant(const Pattern& pattern) { return are_constant(pattern.parts); }
+std::optional<double> letter_count(const Pattern& pattern) { return letter_count(pattern.parts); }
 
 Result<std::u32string> expanded(const Pattern& pattern, std::uint64_t most, const CountOf& count_of) {
     std::u32string letters;

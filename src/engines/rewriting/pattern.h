@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string_view>
 
 #include "base/result.h"
@@ -18,8 +19,10 @@ Result<Pattern> read_pattern(std::string_view text, SourceSpan at, bool free_bra
 
 // Whether no part of it must be evaluated.
 bool is_constant(const Pattern& pattern);
+// How many letters such a one has; none where some part must be evaluated, infinity where they are too many to count.
+std::optional<double> letter_count(const Pattern& pattern);
 
-// The letters with all repeats put; at most `most` of them, which is an error of Fault::limit.
+// The letters with all repeats put; at most `most` of them, which is an error of Fault::limit without a place.
 using CountOf = std::function<Result<double>(const ExpressionPtr& count)>;
 Result<std::u32string> expanded(const Pattern& pattern, std::uint64_t most, const CountOf& count_of);
 

@@ -104,6 +104,15 @@ private:
             return false;
         });
     }
+    void check_text(const Pattern& text, const Scope& scope, SourceSpan span) {
+        check_counts(text.parts, scope, span);
+        const std::optional<double> length = letter_count(text);
+        if (!length || *length <= static_cast<double>(settings_.limits.elements)) return;
+        report(fault(
+            Fault::limit, "limit.elements",
+            "this text has more symbols than the " + std::to_string(settings_.limits.elements) + " that are allowed",
+            span));
+    }
     // The numbers of repeats have no place of their own in the document.
     void check_counts(const std::vector<Pattern::Part>& parts, const Scope& scope, SourceSpan text) {
         for (const Pattern::Part& part : parts) {
@@ -132,8 +141,8 @@ private:
             check_number(successor.weight, known);
             check_constant(successor.weight, known, wrong_weight);
             for (const ExpressionPtr& index : successor.indexes) check_number(index, known);
-            check_counts(successor.pattern.parts, known, successor.span);
-            for (const Lookup::Row& row : successor.lookup.rows) check_counts(row.pattern.parts, known, row.span);
+            check_text(successor.pattern, known, successor.span);
+            for (const Lookup::Row& row : successor.lookup.rows) check_text(row.pattern, known, row.span);
         }
     }
 
@@ -270,7 +279,7 @@ private:
         cell_texts_.emplace_back(array->cells[at], cell.text.span);
     }
     void check_cells() {
-        for (const auto& [pattern, span] : cell_texts_) check_counts(pattern.parts, facts_of_symbol_, span);
+        for (const auto& [pattern, span] : cell_texts_) check_text(pattern, facts_of_symbol_, span);
     }
     // Null where there is none with so many indexes, which is reported, unless the array itself was.
     Array* array_of(const Name& name, std::size_t indexes) {
@@ -429,7 +438,8 @@ private:
             const std::string* text = text_of(value);
             if (text == nullptr) return fail_usage(setting);
             system.axiom = pattern_of({*text, value->span}, frees_braces);
-            check_counts(system.axiom.parts, registers_, value->span);
+            check_text(system.axiom, registers_, value->span);
+            system.axiom_span = value->span;
         } else if (name == "iterations") {
             if (const auto count = whole_of(value, 0, most_iterations)) {
                 system.iterations = static_cast<std::uint32_t>(*count);

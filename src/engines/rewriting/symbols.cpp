@@ -59,6 +59,13 @@ Diagnostic too_many_symbols() {
                  {"the same letter counts once in every subsystem, and once for each angle and step it is drawn by"});
 }
 
+Diagnostics with_span(Diagnostics diagnostics, SourceSpan span) {
+    for (Diagnostic& diagnostic : diagnostics) {
+        if (diagnostic.span.file == SourceSpan::no_file) diagnostic.span = span;
+    }
+    return diagnostics;
+}
+
 bool is_blank(char32_t letter) {
     return letter == U' ' || letter == U'\t' || letter == U'\r' || letter == U'\n' || letter == U'\u00A0';
 }

@@ -84,6 +84,9 @@ private:
 
 Diagnostic too_many_symbols();
 
+// What has no place of its own gets this one.
+Diagnostics with_span(Diagnostics diagnostics, SourceSpan span);
+
 // A text's letters in normal form C, where `~n` is ñ; without blanks, unless they are wanted.
 std::u32string letters_of(std::string_view text, bool with_blanks = false);
 bool is_blank(char32_t letter);
