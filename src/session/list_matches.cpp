@@ -30,6 +30,7 @@ double shortened(double value) {
     const double rounded = std::round(value * 1e6) / 1e6;
     return rounded == 0 ? 0 : rounded;
 }
+double shortened_angle(double degrees) { return std::fmod(shortened(degrees), 360); }
 
 const shape::Rule& rule_of(const CheckedDocument& checked, std::uint32_t rule) { return checked.design->rules[rule]; }
 
@@ -113,7 +114,7 @@ std::string apply_text(const OpenedDocument& opened, const CheckedDocument& chec
             other_angle || std::fabs(std::remainder(other.fit.angle_degrees - at.fit.angle_degrees, 360)) > 1e-3;
         other_scale = other_scale || std::fabs(other.fit.scale / at.fit.scale - 1) > 1e-3;
     }
-    if (other_angle || at.fit.is_reflected) text += " angle " + to_text(shortened(at.fit.angle_degrees));
+    if (other_angle || at.fit.is_reflected) text += " angle " + to_text(shortened_angle(at.fit.angle_degrees));
     if (other_scale) text += " scale " + to_text(shortened(at.fit.scale));
     if (at.fit.is_reflected) text += " mirrored";
     if (is_orbit) text += " orbit";
@@ -138,7 +139,8 @@ std::string matches_text(const OpenedDocument& opened, const CheckedDocument& ch
         text += "\n";
         for (const Application& at : here.all) {
             text += "  " + std::to_string(++number) + "  at " + place_text(at.place, opened);
-            if (const double angle = shortened(at.fit.angle_degrees); angle != 0) text += "  angle " + to_text(angle);
+            if (const double angle = shortened_angle(at.fit.angle_degrees); angle != 0)
+                text += "  angle " + to_text(angle);
             if (const double scale = shortened(at.fit.scale); scale != 1) text += "  scale " + to_text(scale);
             if (at.fit.is_reflected) text += "  mirrored";
             if (at.variant > 0) text += "  variant " + std::to_string(at.variant + 1);
@@ -224,7 +226,7 @@ Result<std::string> explain_match(const OpenedDocument& opened, const CheckedDoc
         return json.dump(1) + "\n";
     }
     std::string text = rule.name + " comes nearest at " + place_text(why.centroid, opened) + ", angle " +
-                       to_text(shortened(why.angle_degrees)) + ", scale " + to_text(shortened(why.scale)) + ": " +
+                       to_text(shortened_angle(why.angle_degrees)) + ", scale " + to_text(shortened(why.scale)) + ": " +
                        fitting + " elements fit\n";
     for (const std::string& sentence : sentences) text += "  " + sentence + "\n";
     if (!why.is_match()) return text;

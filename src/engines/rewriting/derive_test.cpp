@@ -213,7 +213,8 @@ TEST(Derive, WhatIsTooLargeEndsBeforeItIsMade) {
     EXPECT_EQ(words("axiom \"ssssssss\"", 3, limits).substr(9 + 65), "limit.elements") << "8, 64, then 4096";
     EXPECT_EQ(words("axiom \"{5000a}\"", 0, limits), "limit.elements");
     EXPECT_EQ(words("axiom \"{99999999{99999999a}}\"", 0), "limit.elements");
-    EXPECT_EQ(words("axiom \"a\"\na -> \"{1000000000 a}\"", 1, limits), "a limit.elements");
+    EXPECT_EQ(words("axiom \"a\"\na -> \"{1000000000 a}\"", 1, limits), "limit.elements") << "when it is read";
+    EXPECT_EQ(words("register k 1000000000\naxiom \"a\"\na -> \"{$k a}\"", 1, limits), "a limit.elements");
 }
 
 TEST(Derive, DrawsHangOnLineage) {
