@@ -56,15 +56,13 @@ Foot foot_on(const Element& e, Vec p) {
     }
     if (e.kind == ElementKind::arc && is_circular(e)) return foot_on_circle(e, p);
     constexpr std::size_t parts = 16;
-    const auto [from, to] = interval_of(e);
+    const Interval on = interval_of(e);
     std::array<double, parts + 1> distance;
-    const auto place = [from = from, to = to](std::size_t i) {
-        return from + (to - from) * (static_cast<double>(i) / parts);
-    };
+    const auto place = [&on](std::size_t i) { return on.from + (on.to - on.from) * (static_cast<double>(i) / parts); };
     for (std::size_t i = 0; i <= parts; ++i) distance[i] = length(point_at(e, place(i)) - p);
     const double least = *std::min_element(distance.begin(), distance.end());
     const double spacing = rough_length(e) / parts;
-    Foot best{from, distance[0]};
+    Foot best{on.from, distance[0]};
     for (std::size_t i = 0; i <= parts; ++i) {
         const std::size_t before = i == 0 ? 0 : i - 1, behind = std::min(i + 1, parts);
         // A minimum between two samples is less than what the curve can win over half their distance.
