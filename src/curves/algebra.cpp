@@ -26,7 +26,8 @@ std::vector<Element> rests(std::span<const Element> a, std::span<const Element> 
         for (; pair != pairs.end() && pair->first == i; ++pair) {
             const Element& other = b[pair->second];
             if (hiding == Hiding::by_no_lighter && other.weight < a[i].weight) continue;
-            for (const Stretch& stretch : covered(a[i], other, tolerance, ambiguities).span()) {
+            const auto stretches = covered(a[i], other, tolerance, ambiguities);
+            for (const Stretch& stretch : stretches.span()) {
                 hidden.push_back(stretch);
             }
         }

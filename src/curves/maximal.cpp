@@ -118,7 +118,8 @@ bool cut_lighter(std::vector<Element>& elements, double tolerance) {
     bool is_any = false;
     for (const auto& [light, heavy] : pairs_near(elements, elements, 2 * tolerance)) {
         if (!(elements[light].weight < elements[heavy].weight)) continue;
-        for (const Stretch& stretch : covered(elements[light], elements[heavy], tolerance).span()) {
+        const auto stretches = covered(elements[light], elements[heavy], tolerance);
+        for (const Stretch& stretch : stretches.span()) {
             hidden[light].push_back(stretch);
             is_any = true;
         }
