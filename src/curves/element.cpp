@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/elementary.h"
+#include "curves/quadrature.h"
 
 namespace filigree::curves {
 namespace {
@@ -331,22 +332,10 @@ double length_of(const Element& e) {
     if (e.kind == ElementKind::line) return length(e.at[1] - e.at[0]);
     const Interval on = interval_of(e);
     if (e.kind == ElementKind::arc && is_circular(e)) return length(e.at[1]) * (on.to - on.from);
-    // Gauss's rule of five points, on ever more parts.
-    constexpr std::array<double, 5> places = {0, -0.5384693101056831, 0.5384693101056831, -0.9061798459386640,
-                                              0.9061798459386640};
-    constexpr std::array<double, 5> weights = {0.5688888888888889, 0.4786286704993665, 0.4786286704993665,
-                                               0.2369268850561891, 0.2369268850561891};
     double before = -1;
     for (int parts = 4;; parts *= 2) {
-        const double half = 0.5 * (on.to - on.from) / parts;
         double sum = 0;
-        for (int part = 0; part < parts; ++part) {
-            const double middle = on.from + half * (2 * part + 1);
-            for (std::size_t i = 0; i < places.size(); ++i) {
-                sum += weights[i] * length(velocity_at(e, middle + half * places[i]));
-            }
-        }
-        sum *= half;
+        for_each_gauss_place(on, parts, [&](double t, double weight) { sum += weight * length(velocity_at(e, t)); });
         if (std::fabs(sum - before) <= 1e-8 * sum || parts == 1024) return sum;
         before = sum;
     }

@@ -1,38 +1,22 @@
 #include "curves/moments.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "curves/quadrature.h"
 
 namespace filigree::curves {
 namespace {
 
-// Calls visit(place, weight) for places along an element that stand for stretches of it: Gauss's rule of five points on
-// eight parts.
-template <class Visit>
-void for_each_place(const Element& e, Visit visit) {
-    constexpr int parts = 8;
-    constexpr std::array<double, 5> places = {0, -0.5384693101056831, 0.5384693101056831, -0.9061798459386640,
-                                              0.9061798459386640};
-    constexpr std::array<double, 5> weights = {0.5688888888888889, 0.4786286704993665, 0.4786286704993665,
-                                               0.2369268850561891, 0.2369268850561891};
-    const Interval on = interval_of(e);
-    const double half = 0.5 * (on.to - on.from) / parts;
-    for (int part = 0; part < parts; ++part) {
-        const double middle = on.from + half * (2 * part + 1);
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const double t = middle + half * places[i];
-            visit(point_at(e, t), weights[i] * half * length(velocity_at(e, t)));
-        }
-    }
-}
-
+// Calls visit(place, weight) for places along the curves that stand for stretches of them.
 template <class Visit>
 void for_each_place(const Shape& shape, Visit visit) {
     const bool is_curved = has_curves(shape);
     for (const Element& e : shape.elements) {
         if (e.kind != ElementKind::point) {
-            for_each_place(e, visit);
+            for_each_gauss_place(interval_of(e), 8, [&](double t, double weight) {
+                visit(point_at(e, t), weight * length(velocity_at(e, t)));
+            });
         } else if (!is_curved) {
             visit(e.at[0], 1.0);
         }
