@@ -28,7 +28,8 @@ struct Stretches {
     std::size_t count = 0;
     bool has_all = false;  // of the other element, whose stretches these are
 
-    std::span<const Stretch> span() const { return {all.data(), count}; }
+    std::span<const Stretch> span() const& { return {all.data(), count}; }
+    std::span<const Stretch> span() && = delete;  // it would outlive what it shows
 };
 
 // The stretches of `e` that `other` covers, longer than the tolerance, in order; of a point the point. Weights do not
