@@ -85,6 +85,15 @@ apply back at (1, 1)
     EXPECT_NE(derived.out.find("from state 1"), std::string::npos) << derived.out;
 }
 
+TEST(Shape, EndsWhereItHasGoneBackTo) {
+    const std::string tree = petals + "apply one = slide at (3, 3)\napply slide at (-3, -3)\nback to one\n";
+    EXPECT_EQ(element_count(tree), 6U);
+    // One step lies behind that state, whatever was tried besides.
+    const std::string asked = "again = petal -> petal + point((0, 0), \"seen\")   match isometry when steps == ";
+    EXPECT_EQ(match_count(tree + asked + "1\n", "again"), 2U);
+    EXPECT_EQ(match_count(tree + asked + "2\n", "again"), 0U);
+}
+
 TEST(Shape, AppliesAtAllPlacesOfAnOrbit) {
     const Json both = matches_of(petals + "apply slide at (3, 3) orbit\n", "slide");
     EXPECT_EQ(both["elements"], 4);

@@ -117,13 +117,7 @@ std::optional<AffineFrame> frame_of(const Shape& left, const Registrations& own,
     std::size_t used = 1;
     for (const auto& on : design.on) used += !on.empty();
     const double by_element = 2 * count / static_cast<double>(used);  // the registration points of an element
-    Bounds box;
-    for (const Element& e : left.elements) {
-        const Bounds of = bounds_of(e);
-        extend(box, of.min);
-        extend(box, of.max);
-    }
-    const double size = length(box.max - box.min);
+    const double size = diagonal_of(bounds_of(left.elements));
     std::optional<AffineFrame> best;
     // What is flat, small or far away beside the shape knows the map badly.
     const auto price_of = [](const AffineFrame& frame) {

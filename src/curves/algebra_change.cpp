@@ -10,11 +10,6 @@
 namespace filigree::curves {
 namespace {
 
-void extend(Bounds& box, const Bounds& by) {
-    extend(box, by.min);
-    extend(box, by.max);
-}
-
 bool meet(const Bounds& a, const Bounds& b, double reach) {
     return a.min.x <= b.max.x + reach && b.min.x <= a.max.x + reach && a.min.y <= b.max.y + reach &&
            b.min.y <= a.max.y + reach;

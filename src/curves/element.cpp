@@ -63,7 +63,7 @@ Element hull_line(const Element& e, Vec along) {
 
 // The direction from the first control point to another, or between the last ones, in which it is longest.
 Vec main_direction(const Element& e) {
-    const std::size_t count = e.kind == ElementKind::cubic ? 4 : 3;
+    const std::size_t count = vector_count(e.kind);
     Vec best;
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t j = i + 1; j < count; ++j) {
@@ -104,7 +104,7 @@ std::optional<Element> line_of_flat(const Element& e, double tolerance) {
     if (squared(along) == 0) return line_element(e.at[0], e.at[0]);
     const Element line = hull_line(e, along);
     const Vec way = line.at[1] - line.at[0];
-    const std::size_t count = e.kind == ElementKind::cubic ? 4 : 3;
+    const std::size_t count = vector_count(e.kind);
     double most = 0;
     for (std::size_t i = 0; i < count; ++i) most = std::max(most, std::fabs(cross(way, e.at[i] - line.at[0])));
     // With both ends on the line the curve keeps within half (of a cubic: three quarters) of its control polygon.
@@ -346,6 +346,19 @@ void extend(Bounds& bounds, Vec p) {
     bounds.max = {std::max(bounds.max.x, p.x), std::max(bounds.max.y, p.y)};
 }
 
+void extend(Bounds& bounds, const Bounds& by) {
+    extend(bounds, by.min);
+    extend(bounds, by.max);
+}
+
+Bounds bounds_of(std::span<const Element> elements) {
+    Bounds bounds;
+    for (const Element& e : elements) extend(bounds, bounds_of(e));
+    return bounds;
+}
+
+double diagonal_of(const Bounds& bounds) { return bounds.min.x > bounds.max.x ? 0 : length(bounds.max - bounds.min); }
+
 Bounds bounds_of(const Element& e) {
     Bounds bounds;
     const auto [first, last] = ends_of(e);
@@ -410,11 +423,7 @@ Element transformed(const Element& e, const Transform& by) {
         const auto turned = [&](Vec v) { return Vec{by.a * v.x + by.c * v.y, by.b * v.x + by.d * v.y}; };
         return with_same_ink(arc_element(apply(by, e.at[0]), turned(e.at[1]), turned(e.at[2]), e.from, e.to), e);
     }
-    const std::size_t count = e.kind == ElementKind::point      ? 1
-                              : e.kind == ElementKind::line     ? 2
-                              : e.kind == ElementKind::parabola ? 3
-                                                                : 4;
-    for (std::size_t i = 0; i < count; ++i) moved.at[i] = apply(by, e.at[i]);
+    for (std::size_t i = 0; i < vector_count(e.kind); ++i) moved.at[i] = apply(by, e.at[i]);
     return moved;
 }
 

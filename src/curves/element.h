@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "plane/point.h"
@@ -42,6 +43,10 @@ struct Interval {
 inline Interval interval_of(const Element& e) {
     return e.kind == ElementKind::arc ? Interval{e.from, e.to} : Interval{};
 }
+// How many vectors of `at` a kind has: control points, or an arc's centre and half axes.
+constexpr std::size_t vector_count(ElementKind kind) {
+    return kind == ElementKind::point ? 1 : kind == ElementKind::line ? 2 : kind == ElementKind::cubic ? 4 : 3;
+}
 
 // Elements as they are meant; nothing is put into normal form.
 Element point_element(Vec place);
@@ -74,8 +79,11 @@ struct Bounds {  // px, closed; empty while min > max
     Vec min{1e300, 1e300}, max{-1e300, -1e300};
 };
 void extend(Bounds& bounds, Vec p);
+void extend(Bounds& bounds, const Bounds& by);
 // Exact for points, lines and arcs; for Beziers the box of the curve, not of the control points.
 Bounds bounds_of(const Element& e);
+Bounds bounds_of(std::span<const Element> elements);
+double diagonal_of(const Bounds& bounds);  // px; 0 of empty ones
 
 // The part of the descriptor between two parameters, in either order and beyond the element's ends, too: sub-division
 // and extension by one formula, the blossom. Paper: section 3.2, there by de Casteljau's algorithm.

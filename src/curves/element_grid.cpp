@@ -10,8 +10,7 @@ ElementGrid::ElementGrid(std::span<const Element> elements) {
     double way = 0;
     for (const Element& e : elements) {
         const Bounds box = bounds_of(e);
-        extend(all, box.min);
-        extend(all, box.max);
+        extend(all, box);
         way += box.max.x - box.min.x + (box.max.y - box.min.y);
     }
     if (elements.empty()) all = {{0, 0}, {1, 1}};

@@ -59,11 +59,7 @@ std::size_t count_of(const FoundMatches& found) {
 Json json_of(const curves::Element& e) {
     Json json;
     json["kind"] = kind_name(e.kind);
-    const std::size_t points = e.kind == curves::ElementKind::point   ? 1
-                               : e.kind == curves::ElementKind::line  ? 2
-                               : e.kind == curves::ElementKind::cubic ? 4
-                                                                      : 3;
-    for (std::size_t i = 0; i < points; ++i) json["points"].push_back({e.at[i].x, e.at[i].y});
+    for (std::size_t i = 0; i < curves::vector_count(e.kind); ++i) json["points"].push_back({e.at[i].x, e.at[i].y});
     if (e.kind == curves::ElementKind::arc) {
         json["from"] = e.from;
         json["to"] = e.to;
@@ -92,9 +88,7 @@ Result<FoundMatches> find_matches(const OpenedDocument& opened, const CheckedDoc
     Result<shape::Derivation> derivation = derive_design(opened, checked, {question.steps, {}}, job);
     if (!derivation) return derivation.diagnostics();
     found.derivation = std::move(*derivation);
-    const curves::MatchIndex index(found.derivation.design, grammar.tolerance);
-    const shape::SeenDesign seen{found.derivation.design, index,
-                                 static_cast<std::uint32_t>(found.derivation.steps.size())};
+    shape::SeenDesign seen = seen_design(grammar, found.derivation);
     for (const std::uint32_t rule : found.rules) {
         Result<Applications> here = applications_of(grammar, rule, seen, surroundings_of(opened, checked), job);
         if (!here) return here.diagnostics();

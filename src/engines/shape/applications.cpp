@@ -21,16 +21,6 @@ using curves::Element;
 using curves::ElementKind;
 using curves::Shape;
 
-double breadth_of(const Shape& shape) {
-    curves::Bounds box;
-    for (const Element& e : shape.elements) {
-        const curves::Bounds own = bounds_of(e);
-        extend(box, own.min);
-        extend(box, own.max);
-    }
-    return shape.elements.empty() ? 0 : length(box.max - box.min);
-}
-
 // The design without what the application covers, where the region is.
 bool is_void(const Region& region, const Shape& covered, const Shape& design, double tolerance) {
     const curves::Bounds box = bounds_of(region);
@@ -48,12 +38,12 @@ bool is_void(const Region& region, const Shape& covered, const Shape& design, do
 
 bool is_allowed(const Rule& rule, const Application& at, const SeenDesign& design, double tolerance) {
     for (const Shape& forbidden : rule.forbidden) {
-        if (is_part_of(placed(forbidden, rule, at, tolerance), design.shape, tolerance)) return false;
+        if (is_part_of(placed(forbidden, rule, at, tolerance), design.shape(), tolerance)) return false;
     }
     if (rule.voids.empty()) return true;
     const Shape covered = placed(rule.left, rule, at, tolerance);
     return std::all_of(rule.voids.begin(), rule.voids.end(), [&](const Region& region) {
-        return is_void(transformed(region, at.fit.by), covered, design.shape, tolerance);
+        return is_void(transformed(region, at.fit.by), covered, design.shape(), tolerance);
     });
 }
 
@@ -81,7 +71,7 @@ Scope scope_of(const Application& at, std::size_t steps, std::size_t elements, c
 
 Result<bool> holds(const Rule& rule, const Application& at, const SeenDesign& design, const Surroundings& around) {
     if (rule.condition == nullptr) return true;
-    const Scope scope = scope_of(at, design.steps, design.shape.elements.size(), around.settings);
+    const Scope scope = scope_of(at, design.steps(), design.shape().elements.size(), around.settings);
     Evaluation evaluation;
     evaluation.document = &around.document;
     evaluation.scope = &scope;
@@ -112,7 +102,7 @@ std::vector<Vec> corners_of(const Shape& left, double tolerance) {
 // Every face with as many corners, in all ways in which the corners can be named after each other.
 void add_faces(const Rule& rule, const SeenDesign& design, double tolerance, Applications& found) {
     const std::vector<Vec> own = corners_of(rule.left, tolerance);
-    for (const curves::Face& face : convex_faces(design.shape, tolerance)) {
+    for (const curves::Face& face : convex_faces(design.shape(), tolerance)) {
         if (face.corners.size() != own.size()) continue;
         const auto count = static_cast<std::uint32_t>(own.size());
         const std::uint32_t variants = rule.options.with_reflections ? 2 * count : count;
@@ -150,27 +140,45 @@ void add_variants(const Rule& rule, const curves::Match& match, bool is_of_famil
     ++found.matches;
 }
 
+// Of anything that counts and numbers its matches.
+template <class Matches>
+void add_matches(const Rule& rule, const Matches& matches, Applications& found) {
+    found.all.reserve(found.all.size() + matches.size() * rule.variants.size());
+    for (std::size_t i = 0; i < matches.size(); ++i) add_variants(rule, matches[i], false, found);
+}
+
+void add_families(const Rule& rule, const std::vector<curves::Family>& families, Applications& found) {
+    found.families = families;
+    for (const curves::Family& family : families) {
+        for (const curves::Match& member : family.members) add_variants(rule, member, true, found);
+    }
+}
+
 }  // namespace
 
 Shape placed(const Shape& shape, const Rule& rule, const Application& at, double tolerance) {
+    if (at.corners.empty()) return transformed(shape, at.fit.by);
+    const std::vector<Vec> own = corners_of(rule.left, tolerance);
+    const auto moved = [&](Vec p) { return curves::stretched(p, own, at.corners); };
     std::vector<Element> elements;
-    if (at.corners.empty()) {
-        for (const Element& e : shape.elements) elements.push_back(transformed(e, at.fit.by));
-    } else {
-        const std::vector<Vec> own = corners_of(rule.left, tolerance);
-        for (Element e : shape.elements) {
-            const std::size_t points = e.kind == ElementKind::point   ? 1
-                                       : e.kind == ElementKind::line  ? 2
-                                       : e.kind == ElementKind::cubic ? 4
-                                                                      : 3;
-            for (std::size_t i = 0; i < points; ++i) e.at[i] = curves::stretched(e.at[i], own, at.corners);
-            elements.push_back(e);
+    for (Element e : shape.elements) {
+        if (e.kind == ElementKind::arc) {
+            // As its axes are moved: an ellipse again, which it comes near.
+            const Vec centre = moved(e.at[0]), u = e.at[1], v = e.at[2];
+            const Vec u_moved = moved(e.at[0] + u) - centre, v_moved = moved(e.at[0] + v) - centre;
+            const Vec x = (u_moved * v.y - v_moved * u.y) * (1 / cross(u, v));
+            const Vec y = (v_moved * u.x - u_moved * v.x) * (1 / cross(u, v));
+            const Vec origin = centre - x * e.at[0].x - y * e.at[0].y;
+            e = transformed(e, {x.x, x.y, y.x, y.y, origin.x, origin.y});
+        } else {
+            for (std::size_t i = 0; i < curves::vector_count(e.kind); ++i) e.at[i] = moved(e.at[i]);
         }
+        elements.push_back(e);
     }
     return maximal(std::move(elements), tolerance);
 }
 
-Result<Applications> applications_of(const Grammar& grammar, std::uint32_t number, const SeenDesign& design,
+Result<Applications> applications_of(const Grammar& grammar, std::uint32_t number, SeenDesign& design,
                                      const Surroundings& around, const Job& job) {
     const Rule& rule = grammar.rules[number];
     Applications found;
@@ -179,30 +187,33 @@ Result<Applications> applications_of(const Grammar& grammar, std::uint32_t numbe
     } else {
         curves::MatchOptions options = rule.options;
         options.job = job;
-        const curves::Matches matches = options.group == curves::MatchGroup::affine
-                                            ? find_affine_matches(rule.left, design.index, options).matches
-                                            : find_matches(rule.left, design.index, options);
-        if (is_cancelled(job)) return cancelled_diagnostic();
-        found.families = matches.families;
-        found.near_misses = matches.near_misses.size();
-        for (const curves::Match& match : matches.found) add_variants(rule, match, false, found);
-        for (const curves::Family& family : matches.families) {
-            for (const curves::Match& member : family.members) add_variants(rule, member, true, found);
+        if (options.group == curves::MatchGroup::affine) {
+            const curves::Matches matches = find_affine_matches(rule.left, design.index(), options).matches;
+            add_matches(rule, matches.found, found);
+            add_families(rule, matches.families, found);
+            found.near_misses = matches.near_misses.size();
+        } else {
+            const curves::KeptMatches& matches = design.matches_of(number, job);
+            add_matches(rule, matches.found(), found);
+            add_families(rule, matches.families(), found);
+            found.near_misses = matches.near_misses().size();
         }
+        if (is_cancelled(job)) return cancelled_diagnostic();
         if (options.visual_tolerance > 0) {
-            for (const curves::Match& match : find_look_alikes(rule.left, design.index, options).found) {
+            for (const curves::Match& match : find_look_alikes(rule.left, design.index(), options).found) {
                 const std::size_t first = found.all.size();
                 add_variants(rule, match, false, found);
-                const auto covered = covered_pieces(rule.left, design.index, match, options.visual_tolerance);
+                const auto covered = covered_pieces(rule.left, design.index(), match, options.visual_tolerance);
                 for (std::size_t i = first; i < found.all.size(); ++i) found.all[i].covered = covered;
             }
         }
     }
+    for (Application& at : found.all) at.rule = number;
+    if (rule.forbidden.empty() && rule.voids.empty() && rule.condition == nullptr) return found;
     std::vector<Application> kept;
     std::vector<std::uint32_t> numbers(found.matches, UINT32_MAX);
     std::uint32_t matches = 0;
     for (Application& at : found.all) {
-        at.rule = number;
         if (is_cancelled(job)) return cancelled_diagnostic();
         if (!is_allowed(rule, at, design, grammar.tolerance)) continue;
         const Result<bool> wanted = holds(rule, at, design, around);
@@ -237,7 +248,7 @@ Result<Application> application_at(const Grammar& grammar, const Applications& f
     for (const Application& at : found.all) {
         if (distance(at) < distance(*nearest)) nearest = &at;
     }
-    const double breadth = breadth_of(rule.left) * nearest->fit.scale;
+    const double breadth = diagonal_of(bounds_of(rule.left.elements)) * nearest->fit.scale;
     if (distance(*nearest) > 0.5 * breadth) {
         return error("shape.no-match-there", "'" + rule.name + "' does not apply at " + unit_text(wanted.place),
                      wanted.span, {"the nearest place where it does is " + unit_text(nearest->place)});
@@ -278,7 +289,7 @@ std::vector<Application> orbit_of(const Application& application, const Rule& ru
     curves::MatchOptions options;
     options.group = curves::MatchGroup::isometry;
     options.tolerance = tolerance;
-    for (const curves::Symmetry& symmetry : symmetries(design.shape, options)) {
+    for (const curves::Symmetry& symmetry : symmetries(design.shape(), options)) {
         Application moved = application;
         moved.fit = with_map(application.fit, compose(symmetry.by, application.fit.by));
         for (Vec& corner : moved.corners) corner = apply(symmetry.by, corner);

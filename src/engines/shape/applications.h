@@ -14,6 +14,7 @@
 #include "curves/detect.h"
 #include "derivation/shape_source.h"
 #include "engines/shape/grammar.h"
+#include "engines/shape/seen_design.h"
 #include "language/choices.h"
 #include "language/preset_walk.h"
 #include "language/settings.h"
@@ -46,14 +47,7 @@ struct Applications {
     std::uint64_t near_misses = 0;  // embeddings that fail by less than ten tolerances
 };
 
-// A design as rules see it.
-struct SeenDesign {
-    const curves::Shape& shape;
-    const curves::MatchIndex& index;
-    std::uint32_t steps = 0;  // that lie behind it
-};
-
-Result<Applications> applications_of(const Grammar& grammar, std::uint32_t rule, const SeenDesign& design,
+Result<Applications> applications_of(const Grammar& grammar, std::uint32_t rule, SeenDesign& design,
                                      const Surroundings& around, const Job& job);
 
 // A shape of a rule's plane as an application places it in the design.

@@ -65,7 +65,7 @@ public:
           job_(job),
           walk_(begin_walk(options.site, around.document, around.settings.globals, around.settings.seed)),
           derivation_(begin(grammar)),
-          index_(derivation_.design, grammar.tolerance) {
+          seen_(seen_design(grammar, derivation_)) {
         recorder_.append(around.settings.definitions);
         derivation_.end_definition_choice = recorder_.choices.size();
         derivation_.met.resize(walk_.presets.all.size());
@@ -77,7 +77,7 @@ public:
                           [](const auto& one) { return std::holds_alternative<ApplyAt>(one); }));
         const std::uint64_t count = options_.steps.value_or(by_hand + grammar_.steps);
         for (const auto& one : grammar_.by_hand) {
-            if (derivation_.steps.size() >= count) break;
+            if (options_.steps && derivation_.steps.size() >= count) break;
             std::optional<Diagnostic> problem;
             if (const auto* apply = std::get_if<ApplyAt>(&one)) {
                 problem = apply_by_hand(*apply);
@@ -98,9 +98,6 @@ public:
     }
 
 private:
-    SeenDesign seen() const {
-        return {derivation_.design, index_, static_cast<std::uint32_t>(derivation_.steps.size())};
-    }
     Key step_key(std::uint64_t number) const { return child(rooted(options_.site, Key{hash_text("step")}), number); }
 
     void return_to(const BackTo& back) {
@@ -109,17 +106,17 @@ private:
             if (derivation_.steps[s].name == back.name) state = s + 1;
         }
         go_to(derivation_, state);
-        index_ = curves::MatchIndex(derivation_.design, grammar_.tolerance);
+        seen_ = seen_design(grammar_, derivation_);
     }
 
     std::optional<Diagnostic> apply_by_hand(const ApplyAt& wanted) {
-        const Result<Applications> found = applications_of(grammar_, wanted.rule, seen(), around_, job_);
+        const Result<Applications> found = applications_of(grammar_, wanted.rule, seen_, around_, job_);
         if (!found) return found.diagnostics().front();
         const Result<Application> at = application_at(grammar_, *found, wanted, around_);
         if (!at) return at.diagnostics().front();
         std::vector<Application> all = {*at};
         const Rule& rule = grammar_.rules[wanted.rule];
-        if (wanted.is_orbit) all = orbit_of(*at, rule, seen(), grammar_.tolerance);
+        if (wanted.is_orbit) all = orbit_of(*at, rule, seen_, grammar_.tolerance);
         const std::string segment = "apply";
         PresetNode node = node_below(walk_, walk_.root, {segment, ++by_hand_, 0});
         const Key key = child(rooted(options_.site, Key{hash_text("apply")}), by_hand_);
@@ -136,7 +133,7 @@ private:
         const Key key = step_key(number);
         const PresetNode node = node_below(walk_, walk_.root, {"step", number, 0});
         ChoiceBuffer record;
-        Result<std::optional<NextStep>> next = draw_step(grammar_, seen(), walk_, node, key, around_, job_, record);
+        Result<std::optional<NextStep>> next = draw_step(grammar_, seen_, walk_, node, key, around_, job_, record);
         if (!next) return next.diagnostics();
         if (!*next) {
             derivation_.is_finished = true;
@@ -165,7 +162,7 @@ private:
         }
         const std::uint64_t most = around_.settings.limits.elements;
         Step& step = apply_rule(derivation_, grammar_, std::move(at), puts);
-        index_.update(step.change.removed, step.change.added);
+        seen_.follow(step.change);
         step.first_choice = recorder_.choices.size();
         recorder_.append(record);
         step.end_choice = recorder_.choices.size();
@@ -185,7 +182,7 @@ private:
     PresetWalk walk_;
     ChoiceRecorder recorder_;
     Derivation derivation_;
-    curves::MatchIndex index_;
+    SeenDesign seen_;  // where the derivation stands
     std::uint32_t by_hand_ = 0;
     Diagnostics warnings_;
 };
@@ -234,6 +231,10 @@ Result<Shape> put_by(const Grammar& grammar, const Application& at, std::uint32_
     const Result<Shape> right = shape_of(*value, {around.document, around.files, grammar.tolerance});
     if (!right) return right.diagnostics();
     return placed(*right, rule, at, grammar.tolerance);
+}
+
+SeenDesign seen_design(const Grammar& grammar, const Derivation& derivation) {
+    return {grammar, derivation.design, static_cast<std::uint32_t>(way_to(derivation, derivation.state).size() - 1)};
 }
 
 Step& apply_rule(Derivation& derivation, const Grammar& grammar, std::vector<Application> at,

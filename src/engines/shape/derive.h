@@ -64,6 +64,9 @@ void go_to(Derivation& derivation, std::uint32_t state);
 // The states from the start to one, both included.
 std::vector<std::uint32_t> way_to(const Derivation& derivation, std::uint32_t state);
 
+// The design where a derivation stands; of a derivation that stays where it is in memory.
+SeenDesign seen_design(const Grammar& grammar, const Derivation& derivation);
+
 // What an application puts. Choices in the right side are made at the step's key, from the second application of a
 // step on (`number`, from 0) at keys below it.
 Result<curves::Shape> put_by(const Grammar& grammar, const Application& at, std::uint32_t number, Key step,
@@ -79,7 +82,7 @@ Step& apply_rule(Derivation& derivation, const Grammar& grammar, std::vector<App
 struct NextStep {
     std::vector<Application> at;
 };
-Result<std::optional<NextStep>> draw_step(const Grammar& grammar, const SeenDesign& design, const PresetWalk& walk,
+Result<std::optional<NextStep>> draw_step(const Grammar& grammar, SeenDesign& design, const PresetWalk& walk,
                                           const PresetNode& node, Key key, const Surroundings& around, const Job& job,
                                           ChoiceBuffer& record);
 

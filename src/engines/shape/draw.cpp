@@ -32,14 +32,6 @@ Colour hue(std::uint32_t number) {
     return hues[number % 8];
 }
 
-void extend(curves::Bounds& box, const curves::Shape& design) {
-    for (const Element& e : design.elements) {
-        const curves::Bounds own = bounds_of(e);
-        curves::extend(box, own.min);
-        curves::extend(box, own.max);
-    }
-}
-
 double scale_of(const curves::Bounds& box, const Settings& settings, const Document& document) {
     const Unit unit = document.units.empty() ? Unit::px : document.units[0];
     const double size = std::max(box.max.x - box.min.x, box.max.y - box.min.y);
@@ -304,7 +296,7 @@ Result<Drawing> draw_film(const Derivation& derivation, const Grammar& grammar, 
     curves::Bounds box;
     for (const std::uint32_t state : way) {
         go_to(at, state);
-        extend(box, at.design);
+        extend(box, bounds_of(at.design.elements));
     }
     if (box.min.x > box.max.x) return nothing_drawn();
     SheetPainter painter(grammar, around, std::move(sheet), box);
@@ -328,7 +320,7 @@ Result<Drawing> draw_sheet(const std::vector<curves::Shape>& designs, const std:
     Result<StyleSheet> sheet = read_styles(around.settings, around.document);
     if (!sheet) return sheet.diagnostics();
     curves::Bounds box;
-    for (const curves::Shape& design : designs) extend(box, design);
+    for (const curves::Shape& design : designs) extend(box, bounds_of(design.elements));
     if (box.min.x > box.max.x) return nothing_drawn();
     SheetPainter painter(grammar, around, std::move(*sheet), box);
     for (std::size_t i = 0; i < designs.size(); ++i) {
@@ -346,7 +338,7 @@ namespace {
 Result<Picture> draw_design(const Derivation& derivation, const Grammar& grammar, const Surroundings& around,
                             StyleSheet sheet, const std::vector<Application>& shown, const DrawOptions& options) {
     curves::Bounds box;
-    extend(box, derivation.design);
+    extend(box, bounds_of(derivation.design.elements));
     if (box.min.x > box.max.x) return nothing_drawn();
     Picture picture;
     picture.scale = scale_of(box, around.settings, around.document);
@@ -379,10 +371,9 @@ Result<Picture> draw(const Derivation& derivation, const Grammar& grammar, const
     }
     std::vector<Application> shown;
     if (!grammar.show.matches.empty()) {
-        const curves::MatchIndex index(derivation.design, grammar.tolerance);
+        SeenDesign seen = seen_design(grammar, derivation);
         for (const std::uint32_t rule : grammar.show.matches) {
-            const Result<Applications> found =
-                applications_of(grammar, rule, {derivation.design, index, derivation.state}, around, options.job);
+            const Result<Applications> found = applications_of(grammar, rule, seen, around, options.job);
             if (!found) return found.diagnostics();
             for (const Application& at : found->all) {
                 if (at.variant == 0) shown.push_back(at);

@@ -154,7 +154,7 @@ private:
 
 }  // namespace
 
-Result<std::optional<NextStep>> draw_step(const Grammar& grammar, const SeenDesign& design, const PresetWalk& walk,
+Result<std::optional<NextStep>> draw_step(const Grammar& grammar, SeenDesign& design, const PresetWalk& walk,
                                           const PresetNode& node, Key key, const Surroundings& around, const Job& job,
                                           ChoiceBuffer& record) {
     Result<StepChoices> choices = choices_at(walk, node, around.settings.globals, &record);

@@ -14,11 +14,7 @@ namespace filigree::shape {
 namespace {
 
 void extend(curves::Bounds& bounds, const Path& path) {
-    for (const curves::Element& e : curves::elements_of(path)) {
-        const curves::Bounds own = curves::bounds_of(e);
-        curves::extend(bounds, own.min);
-        curves::extend(bounds, own.max);
-    }
+    curves::extend(bounds, curves::bounds_of(curves::elements_of(path)));
 }
 curves::Bounds bounds_of(const DrawnSide& side) {
     curves::Bounds bounds;

@@ -13,9 +13,9 @@ Result<FoundDesigns> enumerate(const Grammar& grammar, const curves::Shape& from
         if (depth == options.depth) break;
         report(job, "enumerate", static_cast<double>(d) / static_cast<double>(found.all.size()));
         const curves::Shape design = found.all[d].design;
-        const curves::MatchIndex index(design, grammar.tolerance);
+        SeenDesign seen(grammar, design, depth);
         for (std::uint32_t r = 0; r < grammar.rules.size(); ++r) {
-            const Result<Applications> here = applications_of(grammar, r, {design, index, depth}, around, job);
+            const Result<Applications> here = applications_of(grammar, r, seen, around, job);
             if (!here) return here.diagnostics();
             for (const Application& at : here->all) {
                 if (is_cancelled(job)) return cancelled_diagnostic();

@@ -27,16 +27,6 @@ using curves::Shape;
 constexpr double exact_share = 1e-9, file_share = 1e-4;
 constexpr double least_tolerance = 1e-12;
 
-double diagonal_of(const Shape& shape) {
-    curves::Bounds box;
-    for (const Element& e : shape.elements) {
-        const curves::Bounds own = bounds_of(e);
-        extend(box, own.min);
-        extend(box, own.max);
-    }
-    return shape.elements.empty() ? 0 : length(box.max - box.min);
-}
-
 class Reader {
 public:
     Reader(const Settings& settings, const Document& document, const ShapeSource& files)
@@ -278,7 +268,7 @@ private:
             }
             grammar_.start = maximal(std::move(elements), tolerance);
             if (!is_given && round == 0) {
-                grammar_.tolerance = std::max(share * diagonal_of(grammar_.start), least_tolerance);
+                grammar_.tolerance = std::max(share * diagonal_of(bounds_of(grammar_.start.elements)), least_tolerance);
             }
         }
         if (grammar_.start.elements.empty() && !is_empty_word(values)) {

@@ -1,0 +1,40 @@
+#include "engines/shape/seen_design.h"
+
+namespace filigree::shape {
+
+SeenDesign::SeenDesign(const Grammar& grammar, const curves::Shape& design, std::uint32_t steps)
+    : grammar_(&grammar), design_(&design) {
+    start_anew(steps);
+}
+
+void SeenDesign::follow(const curves::Change& change) {
+    const curves::MatchIndex::Change slots = index_.update(change.removed, change.added);
+    for (OfRule& rule : of_rules_) {
+        if (!rule.kept) continue;
+        rule.since.removed.insert(rule.since.removed.end(), slots.removed.begin(), slots.removed.end());
+        rule.since.added.insert(rule.since.added.end(), slots.added.begin(), slots.added.end());
+    }
+    ++steps_;
+}
+
+void SeenDesign::start_anew(std::uint32_t steps) {
+    index_ = curves::MatchIndex(*design_, grammar_->tolerance);
+    steps_ = steps;
+    of_rules_.clear();
+    of_rules_.resize(grammar_->rules.size());
+}
+
+const curves::KeptMatches& SeenDesign::matches_of(std::uint32_t number, const Job& job) {
+    OfRule& rule = of_rules_[number];
+    if (!rule.kept) {
+        curves::MatchOptions options = grammar_->rules[number].options;
+        options.job = job;
+        rule.kept.emplace(grammar_->rules[number].left, index_, options);
+    } else if (!rule.since.removed.empty() || !rule.since.added.empty()) {
+        rule.kept->update(index_, rule.since);
+        rule.since = {};
+    }
+    return *rule.kept;
+}
+
+}  // namespace filigree::shape
