@@ -21,7 +21,8 @@ bool share_an_element(const Registration& a, const Registration& b) {
 Registration turned_round(Registration point) {
     std::swap(point.elements[0], point.elements[1]);
     std::swap(point.ways[0], point.ways[1]);
-    std::swap(point.is_through[0], point.is_through[1]);
+    std::swap(point.is_inside[0], point.is_inside[1]);
+    std::swap(point.is_well_inside[0], point.is_well_inside[1]);
     return point;
 }
 
@@ -69,7 +70,7 @@ private:
         const std::array<std::uint32_t, 2> known = {seat_.carriers[own.elements[0]], seat_.carriers[own.elements[1]]};
         for (std::size_t side = 0; side < (own.is_contact ? 2U : 1U); ++side) {
             if (known[side] != AffineSeat::unbound && known[side] != point.elements[side]) return true;
-            if (own.is_through[side] && !point.is_through[side]) return true;
+            if (own.is_well_inside[side] && !point.is_inside[side]) return true;
             if (known[side] == AffineSeat::unbound && !may_carry_(own.elements[side], point.elements[side]))
                 return true;
         }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double shallow_sine = 0.02;
 
-bool goes_through(const Element& e, Vec at, double reach) {
+bool is_inside(const Element& e, Vec at, double reach) {
     const auto [first, last] = ends_of(e);
     return is_closed(e) || (length(first - at) > reach && length(last - at) > reach);
 }
@@ -23,12 +23,14 @@ void add(Registrations& registrations, const Registration& point) {
 }
 
 void add_contacts(Registrations& registrations, const Element& a, std::uint32_t number_a, const Element& b,
-                  std::uint32_t number_b, double reach, double least_sine) {
+                  std::uint32_t number_b, double tolerance, double reach, double least_sine) {
+    const double tenth_a = 0.1 * rough_length(a), tenth_b = 0.1 * rough_length(b);
     for (const Contact& contact : contacts_of(a, b, reach, least_sine)) {
         add(registrations, {contact.at,
                             {number_a, number_b},
                             {contact.way, contact.other_way},
-                            {goes_through(a, contact.at, reach), goes_through(b, contact.at, reach)},
+                            {is_inside(a, contact.at, 2 * tolerance), is_inside(b, contact.at, 2 * tolerance)},
+                            {is_inside(a, contact.at, tenth_a), is_inside(b, contact.at, tenth_b)},
                             true,
                             contact.is_tangential});
     }
@@ -37,7 +39,7 @@ void add_contacts(Registrations& registrations, const Element& a, std::uint32_t 
 // A labelled point, or an arc's centre.
 void add_place(Registrations& registrations, const Element& e, std::uint32_t number) {
     if (e.kind != ElementKind::point && e.kind != ElementKind::arc) return;
-    add(registrations, {e.at[0], {number, number}, {}, {}, false, false});
+    add(registrations, {e.at[0], {number, number}, {}, {}, {}, false, false});
 }
 
 using Type = std::pair<ElementKind, std::uint32_t>;  // with the layer
@@ -52,7 +54,7 @@ Registrations registrations_of(const Shape& shape, double tolerance) {
     for (std::uint32_t i = 0; i < elements.size(); ++i) {
         add_place(found, elements[i], i);
         for (std::uint32_t j = 0; j < i; ++j)
-            add_contacts(found, elements[j], j, elements[i], i, 2 * tolerance, shallow_sine);
+            add_contacts(found, elements[j], j, elements[i], i, tolerance, 2 * tolerance, shallow_sine);
     }
     return found;
 }
@@ -87,7 +89,7 @@ Registrations registrations_of(const MatchIndex& design, const Shape& left, cons
         if (!touching.contains(type)) continue;
         for (const std::uint32_t other : numbers_near(design.grid(), e, reach)) {
             if (other >= slot || !pairs.contains({type, type_of(design.element(other))})) continue;
-            add_contacts(found, design.element(other), other, e, slot, reach, flat_sine);
+            add_contacts(found, design.element(other), other, e, slot, tolerance, reach, flat_sine);
         }
     }
     return found;

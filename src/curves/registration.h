@@ -18,7 +18,9 @@ struct Registration {
     // A contact has two elements, with their unit tangents there; a labelled point or a centre has its own element.
     std::array<std::uint32_t, 2> elements{};
     std::array<Vec, 2> ways{};
-    std::array<bool, 2> is_through{};  // the element goes on at both sides of the contact
+    // The element goes on at both sides of the contact; by a tenth of its length at least. What is well inside of a
+    // left element is inside of its carrier, too, unless the map makes the element as short as some tolerances.
+    std::array<bool, 2> is_inside{}, is_well_inside{};
     bool is_contact = false, is_tangential = false;
 };
 
