@@ -194,5 +194,49 @@ steps 200
     EXPECT_LT(json["steps"].size(), 60U);
 }
 
+// What is wrong shows only when the design is there.
+TEST(Shape, SaysWhyARuleDoesNotApplyWhereItIsWanted) {
+    const std::string bars = R"(grammar shape
+start design = line((0, 0), (100, 0)) + point((50, 50), "eye") + path("M 0 90 Q 30 60 60 90")
+part = line((0, 0), (10, 0)) -> line((0, 0), (10, 5))   match isometry
+turn = point((0, 0), "eye") -> point((5, 0), "eye")   match isometry
+bow = path("M 0 0 Q 30 -30 60 0") -> path("M 0 0 Q 30 30 60 0 L 60 20")   match isometry
+none = circle(20) -> circle(10)
+)";
+    const std::pair<std::string, std::string> cases[] = {
+        {"none at (50, 50)", "shape.no-match"},
+        {"turn at (10, 10)", "shape.no-match-there"},
+        {"part at (50, 30)", "shape.no-match-there"},
+        {"part at (52, 1)", "shape.infinite-matches"},
+        {"bow at (30, 80) angle 45", "shape.no-match-there"},
+    };
+    const TestFolder folder;
+    for (const auto& [apply, code] : cases) {
+        const Ran ran = run_program("render " + folder.write("a.fil", bars + "apply " + apply + "\n") + " -o " +
+                                    (folder / "a.svg"));
+        EXPECT_EQ(ran.status, 1) << apply;
+        EXPECT_NE(ran.out.find("a.fil:7:"), std::string::npos) << ran.out;
+        EXPECT_NE(ran.out.find(code), std::string::npos) << ran.out;
+        EXPECT_FALSE(std::filesystem::exists(folder / "a.svg"));
+    }
+}
+
+// Circles become the ellipses of the polygon that they lie in.
+TEST(Shape, StretchesArcsWithThePolygon) {
+    const std::string text = R"(grammar shape
+start frame = path("M 0 0 L 60 0 L 60 20 L 0 20 Z")
+disc = path("M -1 -1 L 1 -1 L 1 1 L -1 1 Z") -> circle(1)   match corners
+choose first
+steps 1
+)";
+    const Json found = matches_of(text, "disc");
+    ASSERT_EQ(found["elements"], 1);
+    const Json& ellipse = found["design"][0];
+    EXPECT_EQ(ellipse["kind"], "arc");
+    EXPECT_NEAR(ellipse["points"][0][0].get<double>(), 30, 1e-9);
+    EXPECT_NEAR(ellipse["points"][1][0].get<double>(), 30, 1e-9);
+    EXPECT_NEAR(ellipse["points"][2][1].get<double>(), 10, 1e-9);
+}
+
 }  // namespace
 }  // namespace filigree

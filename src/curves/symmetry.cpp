@@ -18,6 +18,7 @@ std::vector<Symmetry> symmetries(const Shape& shape, const MatchOptions& options
     identity.images.resize(shape.elements.size());
     std::iota(identity.images.begin(), identity.images.end(), 0U);
     const std::vector<Symmetry> one = {identity};
+    if (shape.elements.empty()) return one;
     const MatchIndex index(shape, options.tolerance);
     Matches matches = Search(shape, index, own, one).all();
     // What turns freely stands for all its turns.

@@ -22,6 +22,8 @@ constexpr double tolerance = 1e-6;
 
 std::size_t order_of(const Shape& shape) { return symmetries(shape, {}).size(); }
 
+TEST(Symmetry, NothingIsCarriedOntoItself) { EXPECT_EQ(symmetries({}, {}).size(), 1U); }
+
 TEST(Symmetry, OfShapesThatAreKnown) {
     EXPECT_EQ(order_of(petal()), 2U);
     EXPECT_EQ(order_of(flower()), 8U);

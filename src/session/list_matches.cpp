@@ -77,6 +77,7 @@ Result<FoundMatches> find_matches(const OpenedDocument& opened, const CheckedDoc
     for (std::uint32_t r = 0; r < grammar.rules.size(); ++r) {
         if (question.rule.empty() || grammar.rules[r].name == question.rule) found.rules.push_back(r);
     }
+    if (grammar.rules.empty()) return fault(Fault::usage, "match.no-rules", "the document has no rules");
     if (found.rules.empty()) {
         std::vector<std::string_view> names;
         for (const shape::Rule& rule : grammar.rules) names.push_back(rule.name);

@@ -254,7 +254,13 @@ Result<Application> application_at(const Grammar& grammar, const Applications& f
                      wanted.span, {"the nearest place where it does is " + unit_text(nearest->place)});
     }
     // Places that a person would call one, then what else was said of it; what was not said is as the rule stands.
-    const double same = distance(*nearest) + 0.01 * breadth;
+    const double near = 0.01 * breadth, same = distance(*nearest) + near;
+    if (nearest->is_of_family && distance(*nearest) > near) {
+        return error(
+            "shape.infinite-matches",
+            "'" + rule.name + "' applies in infinitely many ways here, but is told none at " + unit_text(wanted.place),
+            wanted.span, {"the nearest of those that can be told is at " + unit_text(nearest->place)});
+    }
     const auto turned = [&](const Application& at) {
         const double off = std::fabs(std::remainder(at.fit.angle_degrees - wanted.angle.value_or(0), 360.0));
         return wanted.angle || off > 1e-6 ? off : 0;

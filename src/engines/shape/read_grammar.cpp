@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "curves/affine.h"
 #include "curves/algebra.h"
@@ -47,6 +48,7 @@ public:
         if (has_errors(problems_)) return problems_;
         grammar_.rules.resize(named->rules.size());
         for (const std::size_t r : named->in_order) read_rule(*named, r);
+        check_labels();
         read_steps(*named);
         read_show(*named);
         for (const Statement& statement : document_.statements) refuse(statement);
@@ -59,8 +61,7 @@ public:
     }
 
 private:
-    ValueReading reading(double tolerance) { return {document_, files_, tolerance, &grammar_.labels}; }
-    ValueReading reading() { return reading(grammar_.tolerance); }
+    ValueReading reading() { return {document_, files_, grammar_.tolerance, &grammar_.labels, &problems_}; }
     void fail(Diagnostic problem) { problems_.push_back(std::move(problem)); }
     void fail(const Diagnostics& problems) { append(problems_, problems); }  // warnings, too
 
@@ -257,20 +258,24 @@ private:
             if (!value) return fail(value.diagnostics());
             values.push_back(std::move(*value));
         }
-        // Twice: how large it is says what is near.
-        for (int round = 0; round < 2; ++round) {
-            const double tolerance = is_given || round == 1 ? grammar_.tolerance : least_tolerance;
+        const auto sum_of = [&](const ValueReading& reading) -> Result<Shape> {
             std::vector<Element> elements;
             for (const Value& value : values) {
-                Result<Shape> shape = shape_of(value, reading(tolerance));
-                if (!shape) return fail(shape.diagnostics());
+                const Result<Shape> shape = shape_of(value, reading);
+                if (!shape) return shape.diagnostics();
                 elements.insert(elements.end(), shape->elements.begin(), shape->elements.end());
             }
-            grammar_.start = maximal(std::move(elements), tolerance);
-            if (!is_given && round == 0) {
-                grammar_.tolerance = std::max(share * diagonal_of(bounds_of(grammar_.start.elements)), least_tolerance);
-            }
+            return maximal(std::move(elements), reading.tolerance);
+        };
+        if (!is_given) {
+            // How large it is says what is near.
+            const Result<Shape> exact = sum_of({document_, files_, least_tolerance});
+            if (!exact) return fail(exact.diagnostics());
+            grammar_.tolerance = std::max(share * diagonal_of(bounds_of(exact->elements)), least_tolerance);
         }
+        Result<Shape> start = sum_of(reading());
+        if (!start) return fail(start.diagnostics());
+        grammar_.start = std::move(*start);
         if (grammar_.start.elements.empty() && !is_empty_word(values)) {
             fail(error("shape.empty-start", "nothing of this start is longer than the tolerance",
                        starts[0]->value->span));
@@ -329,9 +334,9 @@ private:
     void read_written(const ShapeRule& statement, Rule& rule) {
         rule.name = statement.name.text;
         rule.span = statement.name.span;
-        const std::size_t before = problems_.size();
-        if (const auto left = shape_at(*statement.left)) rule.left = *left;
-        if (problems_.size() == before && rule.left.elements.empty()) {
+        const std::optional<Shape> left = shape_at(*statement.left);
+        if (left) rule.left = *left;
+        if (left && left->elements.empty()) {
             fail(error("shape.no-left-side", "the left side of '" + rule.name + "' is empty, so it matches everywhere",
                        statement.left->span, {"what a rule adds must stand in relation to something that it finds"}));
         }
@@ -342,7 +347,7 @@ private:
         }
         rule.options = match.options;
         rule.by_corners = match.by_corners;
-        if (problems_.size() == before && rule.by_corners) check_corners(rule, statement.left->span);
+        if (left && rule.by_corners) check_corners(rule, statement.left->span);
         if (statement.weight) {
             const auto weight = number_of(*statement.weight);
             if (weight && *weight < 0) {
@@ -396,11 +401,34 @@ private:
                        "`match corners` wants one convex polygon of straight lines on the left side", span,
                        {"such as rectangle(1, 1) or polygon(3, 1)"}));
         }
-        const bool has_arcs = std::any_of(rule.right.elements.begin(), rule.right.elements.end(),
-                                          [](const Element& e) { return e.kind == curves::ElementKind::arc; });
-        if (has_arcs) {
-            fail(error("shape.stretched-arc", "arcs cannot be stretched with the corners of a polygon", rule.span,
-                       {"use quadratic or cubic curves on the right side"}));
+    }
+
+    // A rule that looks for a label which neither the start nor any right side has never applies. What a right side
+    // that draws at random may have is not known.
+    void check_labels() {
+        std::set<std::uint32_t> known;
+        std::vector<std::string_view> names;
+        const auto take = [&](const Shape& shape) {
+            for (const Element& e : shape.elements) {
+                if (e.kind == curves::ElementKind::point && known.insert(e.layer).second) {
+                    names.push_back(grammar_.labels.at(e.layer));
+                }
+            }
+        };
+        take(grammar_.start);
+        for (const Rule& rule : grammar_.rules) {
+            if (rule.right_side != nullptr) return;
+            take(rule.right);
+        }
+        for (const Rule& rule : grammar_.rules) {
+            for (const Element& e : rule.left.elements) {
+                if (e.kind != curves::ElementKind::point || known.contains(e.layer)) continue;
+                const std::string& name = grammar_.labels.at(e.layer);
+                const std::string what = name.empty() ? "a point without a label" : "the label '" + name + "'";
+                fail(warning("shape.unknown-label", "nothing has " + what + ", so '" + rule.name + "' never applies",
+                             rule.span, did_you_mean(name, names)));
+                known.insert(e.layer);
+            }
         }
     }
 

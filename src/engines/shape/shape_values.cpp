@@ -193,7 +193,12 @@ Result<Shape> shape_of(const Value& value, const ValueReading& reading) {
         if (!form) return form.diagnostics();
         Result<std::vector<Element>> elements = elements_of_form(*form, value, reading);
         if (!elements) return elements.diagnostics();
-        return maximal(std::move(*elements), reading.tolerance);
+        Shape shape = maximal(std::move(*elements), reading.tolerance);
+        if (shape.elements.empty() && reading.warnings != nullptr) {
+            reading.warnings->push_back(
+                warning("shape.nothing-there", "nothing of this shape is longer than the tolerance", value.span));
+        }
+        return shape;
     }
     if (call->name == "*") {
         Result<Shape> shape = shape_of(call->arguments.back().value, reading);

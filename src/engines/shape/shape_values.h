@@ -24,6 +24,7 @@ struct ValueReading {
     const ShapeSource& files;
     double tolerance = 0;                                    // px; of sums, differences and products
     std::map<std::uint32_t, std::string>* labels = nullptr;  // gets the labels that are met, by layer
+    Diagnostics* warnings = nullptr;                         // gets what was left out
 };
 
 // Maximal. Errors have the place of the value.

@@ -20,17 +20,20 @@ Diagnostics by_place(Diagnostics diagnostics) {
     return sorted;
 }
 
-TEST(WrongTangles, CheckingSaysWhatIsExpected) {
+void expect_diagnostics(const std::string& file, int at_least) {
     int checked = 0;
-    for (const WrongDocument& wrong : read_wrong_documents(FILIGREE_SOURCE_DIR "/tests/data/wrong_tangles.txt")) {
+    for (const WrongDocument& wrong : read_wrong_documents(FILIGREE_SOURCE_DIR "/tests/data/" + file)) {
         const OpenedDocument opened = open_text("case.fil", wrong.text, {});
         const CheckedDocument result = check_document(opened);
         EXPECT_EQ(difference(wrong, by_place(result.diagnostics), opened.document.sources), "");
         EXPECT_FALSE(wrong.expected.empty()) << wrong.name;
         ++checked;
     }
-    EXPECT_GE(checked, 45);
+    EXPECT_GE(checked, at_least);
 }
+
+TEST(WrongGrammars, CheckingTanglesSaysWhatIsExpected) { expect_diagnostics("wrong_tangles.txt", 45); }
+TEST(WrongGrammars, CheckingShapesSaysWhatIsExpected) { expect_diagnostics("wrong_shapes.txt", 60); }
 
 }  // namespace
 }  // namespace filigree
