@@ -194,6 +194,50 @@ steps 200
     EXPECT_LT(json["steps"].size(), 60U);
 }
 
+// Where all points of two designs lie within some tolerances of each other, element by element.
+void expect_near(const Json& found, const std::string& wanted, double tolerances) {
+    const double reach = tolerances * found["tolerance"].get<double>();
+    const Json other = matches_of(wanted, "go")["design"];
+    ASSERT_EQ(found["design"].size(), other.size());
+    for (std::size_t i = 0; i < other.size(); ++i) {
+        const Json &a = found["design"][i]["points"], &b = other[i]["points"];
+        ASSERT_EQ(a.size(), b.size());
+        for (std::size_t k = 0; k < a.size(); ++k) {
+            for (int axis = 0; axis < 2; ++axis) {
+                EXPECT_NEAR(a[k][axis].get<double>(), b[k][axis].get<double>(), reach);
+            }
+        }
+    }
+}
+
+TEST(Shape, AThousandStepsOfARuleAndItsInverseEndWhereTheyBegan) {
+    const std::string text = R"(grammar shape
+let petal = path("M -1 -1 Q 1 -3 3 3 M -1 -1 Q -3 1 3 3")
+let other = path("M -1 -1 C 1 -3 2 0 3 3 A 4 4 0 0 0 -1 -1")
+start design = petal + line((-9, -9), (20, 3)) + point((0, 0), "a")
+let there = rotate(37) * scale(1.3) * translate(0.3, 0.7)
+go = there * (petal + point((0, 0), "a")) -> there * (other + point((0.1, 0), "b"))
+back = inverse(go)
+)";
+    const Json found = matches_of(text + "steps 1000\n", "go");
+    EXPECT_EQ(found["state"], 1000);
+    expect_near(found, text, 2);
+}
+
+TEST(Shape, AThousandSmallMovesAreOneLargeMove) {
+    const auto text = [](const std::string& start) {
+        return R"(grammar shape
+let petal = path("M -1 -1 Q 1 -3 3 3 M -1 -1 Q -3 1 3 3 C 1 2 0 2 3 9 A 4 4 0 0 1 5 9")
+start design = line((-9, -9), (20, 3)) + )" +
+               start + R"(
+go = rotate(20) * petal -> rotate(20) * translate(0.1, 0.07) * petal   match isometry(reflections: false)
+)";
+    };
+    const Json found = matches_of(text("petal") + "steps 1000\n", "go");
+    EXPECT_EQ(found["state"], 1000);
+    expect_near(found, text("translate(100, 70) * petal"), 2);
+}
+
 // What is wrong shows only when the design is there.
 TEST(Shape, SaysWhyARuleDoesNotApplyWhereItIsWanted) {
     const std::string bars = R"(grammar shape
