@@ -194,6 +194,18 @@ steps 200
     EXPECT_LT(json["steps"].size(), 60U);
 }
 
+TEST(Shape, ExplainsByTheMapThatTurnsLeast) {
+    const TestFolder folder;
+    const Ran ran = run_program("match --rule lift --explain " + folder.write("a.fil", R"(grammar shape
+let dome = path("M 0 0 Q 10 -20 20 0 L 0 0")
+start design = path("M 0 0 Q 10 -20 20 0") + line((0, 0), (19.9, 0))
+lift = dome -> translate(0, -5) * dome
+)"));
+    EXPECT_EQ(ran.out,
+              "lift comes nearest at (10, -3.52), angle 0, scale 1: 1 of 2 elements fit\n"
+              "  element 1 (line): its curve ends 0.5 % too early, at (19.9, 0)\n");
+}
+
 // Where all points of two designs lie within some tolerances of each other, element by element.
 void expect_near(const Json& found, const std::string& wanted, double tolerances) {
     const double reach = tolerances * found["tolerance"].get<double>();

@@ -66,7 +66,12 @@ private:
             if (std::fabs(distance - other.distance) > 1e-6 * (distance + other.distance)) {
                 return distance < other.distance;
             }
-            return lack < other.lack;
+            if (std::fabs(lack - other.lack) > 1e-6 * (lack + other.lack)) return lack < other.lack;
+            // Symmetries of what fits are left: as matches are told, not mirrored where it can be, and turned least.
+            const auto turn = [](const Explanation& e) {
+                return std::pair(determinant(e.by) < 0, std::round(e.angle_degrees * 1e6));
+            };
+            return turn(explanation) < turn(other.explanation);
         }
     };
 

@@ -221,8 +221,8 @@ Result<std::string> explain_match(const OpenedDocument& opened, const CheckedDoc
         return json.dump(1) + "\n";
     }
     std::string text = rule.name + " comes nearest at " + place_text(why.centroid, opened) + ", angle " +
-                       to_text(shortened_angle(why.angle_degrees)) + ", scale " + to_text(shortened(why.scale)) + ": " +
-                       fitting + " elements fit\n";
+                       to_text(shortened_angle(why.angle_degrees)) + (determinant(why.by) < 0 ? " mirrored" : "") +
+                       ", scale " + to_text(shortened(why.scale)) + ": " + fitting + " elements fit\n";
     for (const std::string& sentence : sentences) text += "  " + sentence + "\n";
     if (!why.is_match()) return text;
     // What stands around it decides then.
