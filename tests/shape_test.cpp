@@ -1,14 +1,10 @@
 // Shape documents as a person meets them: on the command line. The counts are the paper's (figures 9 to 15).
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
-#include "tests/program.h"
+#include "tests/shape_program.h"
 
 namespace filigree {
 namespace {
-
-using Json = nlohmann::json;
 
 const std::string petals = R"(grammar shape
 let petal = path("M -1 -1 Q 1 -3 3 3 M -1 -1 Q -3 1 3 3")
@@ -18,15 +14,6 @@ slide = petal -> translate(-2, -2) * petal   match isometry
 back = inverse(slide)
 )";
 
-Json matches_of(const std::string& text, const std::string& rule, const std::string& options = "") {
-    const TestFolder folder;
-    const Ran ran = run_program("match " + folder.write("a.fil", text) + " --rule " + rule + " --json " + options);
-    EXPECT_EQ(ran.status, 0) << ran.out;
-    return ran.status == 0 ? Json::parse(ran.out) : Json();
-}
-std::size_t match_count(const std::string& text, const std::string& rule) {
-    return matches_of(text, rule)["rules"][0]["matches"].get<std::size_t>();
-}
 std::size_t element_count(const std::string& text) { return matches_of(text, "slide")["elements"].get<std::size_t>(); }
 
 std::string with_step(const std::string& text, const std::string& options) {

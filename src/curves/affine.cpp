@@ -13,20 +13,13 @@
 namespace filigree::curves {
 namespace {
 
-// The farthest that an element comes from a place.
-double farthest(const Element& e, Vec from) {
-    const Bounds box = bounds_of(e);
-    return length(
-        Vec{std::max(from.x - box.min.x, box.max.x - from.x), std::max(from.y - box.min.y, box.max.y - from.y)});
-}
-
 // How far each left element may be off its carrier before the map is mended by all of them.
 std::vector<double> reach_of(const Shape& left, const AffineFrame& frame, double tolerance) {
     const double longest = std::max(
         {length(frame.at[1] - frame.at[0]), length(frame.at[2] - frame.at[0]), length(frame.at[2] - frame.at[1])});
     std::vector<double> reach;
     for (const Element& e : left.elements) {
-        const double lever = std::max(1.0, farthest(e, frame.at[0]) / longest) / frame.roundness;
+        const double lever = std::max(1.0, farthest_from(e, frame.at[0]) / longest) / frame.roundness;
         reach.push_back(tolerance * (10 + 4 * lever));
     }
     return reach;
@@ -140,15 +133,8 @@ private:
                 laid = laid_;
             }
         }
-        Match match;
-        match.by = laid.by;
-        match.carriers = std::move(laid.carriers);
-        match.is_reflected = determinant(match.by) < 0;
-        match.scale = scale_of(match.by);
-        match.angle_degrees = angle_of(match.by);
-        match.centroid = apply(match.by, embedding_.centroid());
-        match.misfit = laid.misfit / options().tolerance;
-        match.is_ambiguous = match.misfit > 0.1;
+        const bool is_reflected = determinant(laid.by) < 0;
+        Match match = embedding_.match_of(std::move(laid), is_reflected);
         (match.misfit <= 1 ? matches_.found : matches_.near_misses).push_back(std::move(match));
     }
 
@@ -220,6 +206,11 @@ std::vector<Symmetry> symmetries_by(const Shape& shape, const Registrations& own
 }
 
 }  // namespace
+
+bool fixes_affine_maps(const Shape& left, double tolerance) {
+    const Registrations own = registrations_of(left, tolerance);
+    return frame_of(left, own, own).has_value();
+}
 
 std::vector<Symmetry> affine_symmetries(const Shape& shape, const MatchOptions& options) {
     const Registrations own = registrations_of(shape, options.tolerance);

@@ -23,6 +23,9 @@ struct AffineMatches {
 // reflect, where there is one, and turns the x axis least.
 AffineMatches find_affine_matches(const Shape& left, const MatchIndex& design, const MatchOptions& options);
 
+// Whether a left side has what fixes an affine map.
+bool fixes_affine_maps(const Shape& left, double tolerance);
+
 // The affine maps that carry a shape onto itself, the identity first; that alone where it does not fix a map.
 std::vector<Symmetry> affine_symmetries(const Shape& shape, const MatchOptions& options);
 

@@ -10,11 +10,6 @@
 namespace filigree::curves {
 namespace {
 
-bool meet(const Bounds& a, const Bounds& b, double reach) {
-    return a.min.x <= b.max.x + reach && b.min.x <= a.max.x + reach && a.min.y <= b.max.y + reach &&
-           b.min.y <= a.max.y + reach;
-}
-
 // A box that is quickly known and holds the element.
 Bounds rough_bounds(const Element& e) {
     Bounds box;
@@ -53,8 +48,8 @@ std::vector<std::uint32_t> near_by_scan(const Shape& design, const Shape& taken,
     std::vector<std::uint32_t> near;
     for (std::uint32_t i = 0; i < design.elements.size(); ++i) {
         const Bounds own = rough_bounds(design.elements[i]);
-        if (!meet(own, all, reach)) continue;
-        if (std::any_of(boxes.begin(), boxes.end(), [&](const Bounds& box) { return meet(own, box, reach); })) {
+        if (!do_overlap(own, all, reach)) continue;
+        if (std::any_of(boxes.begin(), boxes.end(), [&](const Bounds& box) { return do_overlap(own, box, reach); })) {
             near.push_back(i);
         }
     }

@@ -13,12 +13,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double farthest(const Element& e, Vec from) {
-    const Bounds box = bounds_of(e);
-    return length(
-        Vec{std::max(from.x - box.min.x, box.max.x - from.x), std::max(from.y - box.min.y, box.max.y - from.y)});
-}
-
 // How far the ends of a cubic go where its control points move by one: tried on each of them.
 double magnification(const Element& cubic) {
     const Bounds box = bounds_of(cubic);
@@ -77,7 +71,7 @@ private:
     // Noise of an anchor of some size about a place is magnified so much at its own ends, and by the lever beyond them.
     void set_reach(Anchor& anchor, Vec about, double size, double magnified) const {
         for (const Element& e : elements_) {
-            anchor.reach.push_back(tolerance_ * (10 + magnified * std::max(1.0, farthest(e, about) / size)));
+            anchor.reach.push_back(tolerance_ * (10 + magnified * std::max(1.0, farthest_from(e, about) / size)));
         }
     }
 

@@ -1,5 +1,5 @@
 // What of a left side fixes the transform that carries it: a curve with a frame, two places, a place and a line, or
-// three lines. A left side that has none of them lies on a design in infinitely many ways (families.h), or not at all.
+// three lines. A left side that has none of them lies on a design in infinitely many ways (family.h), or not at all.
 //
 // Places are labelled points and the centres of circles. Ends are none: the end of a left element need not be an end in
 // the design, but where lines cross they cross in the design, too.
@@ -47,12 +47,6 @@ struct Seat {
 bool is_circle(const Element& e);
 // Of a labelled point or a circle.
 inline bool is_place(const Element& e) { return e.kind == ElementKind::point || is_circle(e); }
-inline bool allows_reflections(const MatchOptions& options) {
-    return options.with_reflections && options.group != MatchGroup::translation;
-}
-inline bool keeps_lengths(const MatchOptions& options) {
-    return options.group == MatchGroup::isometry || options.group == MatchGroup::translation;
-}
 
 // Two places that are no farther apart fix no direction.
 inline double least_distance(const MatchOptions& options) { return 20 * options.tolerance; }

@@ -118,10 +118,6 @@ Bounds box_of(const Element& e, double from, double to, double reach) {
     return box;
 }
 
-bool overlap(const Bounds& a, const Bounds& b) {
-    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
-}
-
 double sine_between(Vec u, Vec v) { return dot(u, v) > 0 ? std::fabs(cross(u, v)) / (length(u) * length(v)) : 1; }
 
 // How far a piece turns away from its direction in the middle, as a sine; 1 where its speed changes much.
@@ -141,7 +137,7 @@ std::array<Interval, 2> halves_of(Interval on) {
 // Where pieces of two elements meet; some several times.
 void find_meetings(const Element& a, Interval on_a, const Element& b, Interval on_b, double reach, double least_sine,
                    int depth, std::vector<Meeting>& meetings) {
-    if (!overlap(box_of(a, on_a.from, on_a.to, reach), box_of(b, on_b.from, on_b.to, reach))) return;
+    if (!do_overlap(box_of(a, on_a.from, on_a.to, reach), box_of(b, on_b.from, on_b.to, reach))) return;
     const Vec way_a = velocity_at(a, 0.5 * (on_a.from + on_a.to)), way_b = velocity_at(b, 0.5 * (on_b.from + on_b.to));
     const double between = std::fabs(cross(way_a, way_b)) / (length(way_a) * length(way_b));
     const double turns = turn_of(a, on_a) + turn_of(b, on_b);
@@ -178,7 +174,7 @@ std::vector<Contact> contacts_of(const Element& e, const Element& other, double 
     if (e.kind == ElementKind::point || other.kind == ElementKind::point) return contacts;
     const Bounds box = bounds_of(e), other_box = bounds_of(other);
     const Vec margin{2 * reach, 2 * reach};
-    if (!overlap({box.min - margin, box.max + margin}, other_box)) return contacts;
+    if (!do_overlap({box.min - margin, box.max + margin}, other_box)) return contacts;
     std::vector<Meeting> meetings;
     constexpr int most_halvings = 9;
     find_meetings(e, reaching(e, reach), other, reaching(other, reach), reach, least_sine, most_halvings, meetings);
@@ -196,22 +192,6 @@ std::vector<Contact> contacts_of(const Element& e, const Element& other, double 
         contacts.push_back({place, unit_of(way), unit_of(other_way), other.kind, at.is_tangential});
     }
     return contacts;
-}
-
-std::vector<std::uint32_t> numbers_near(const ElementGrid& grid, const Element& e, double reach) {
-    std::vector<std::uint32_t> numbers;
-    const Interval on = interval_of(e);
-    const int parts = e.kind == ElementKind::point ? 1 : 16;
-    const double half = 0.5 * (on.to - on.from) / parts;
-    for (int i = 0; i < parts; ++i) {
-        const Bounds box = box_of(e, on.from + half * (2 * i), on.from + half * (2 * i + 2), reach);
-        const Vec size = box.max - box.min;
-        grid.visit_near((box.min + box.max) * 0.5, 0.5 * std::max(size.x, size.y),
-                        [&](std::uint32_t number) { numbers.push_back(number); });
-    }
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-    return numbers;
 }
 
 }  // namespace filigree::curves

@@ -2,11 +2,9 @@
 // since what lies on two elements lies on their carriers, too.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "curves/element.h"
-#include "curves/element_grid.h"
 
 namespace filigree::curves {
 
@@ -22,8 +20,5 @@ struct Contact {
 // Points touch nothing. Where arcs turn back sharply contacts may be missed, and elements that lie on one descriptor
 // have none.
 std::vector<Contact> contacts_of(const Element& e, const Element& other, double reach, double least_sine = 0.02);
-
-// Numbers of those elements in a grid that come within a reach of an element, and of some that do not; ascending.
-std::vector<std::uint32_t> numbers_near(const ElementGrid& grid, const Element& e, double reach);
 
 }  // namespace filigree::curves

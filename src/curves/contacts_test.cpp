@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "curves/element_grid.h"
 #include "curves/test_shapes.h"
 
 namespace filigree::curves {
@@ -88,7 +89,7 @@ TEST(Contacts, AllNeighboursAreAmongTheNumbers) {
     for (int i = 0; i < 100; ++i) elements.push_back(random_element(random, all_kinds[random.below(5)]));
     const ElementGrid grid(elements);
     for (std::uint32_t i = 0; i < elements.size(); ++i) {
-        const std::vector<std::uint32_t> numbers = numbers_near(grid, elements[i], 0.1);
+        const std::vector<std::uint32_t> numbers = grid.found_along(elements[i], 0.1);
         EXPECT_TRUE(std::is_sorted(numbers.begin(), numbers.end()));
         for (std::uint32_t j = 0; j < elements.size(); ++j) {
             if (contacts_of(elements[i], elements[j], 0.05).empty()) continue;

@@ -163,6 +163,22 @@ bool is_flat_arc(const Element& e, double tolerance) {
 
 }  // namespace
 
+std::string_view name_of(ElementKind kind) {
+    switch (kind) {
+        case ElementKind::point:
+            return "point";
+        case ElementKind::line:
+            return "line";
+        case ElementKind::parabola:
+            return "parabola";
+        case ElementKind::arc:
+            return "arc";
+        case ElementKind::cubic:
+            return "cubic";
+    }
+    return "";
+}
+
 Element point_element(Vec place) {
     Element e;
     e.kind = ElementKind::point;
@@ -383,6 +399,12 @@ Bounds bounds_of(const Element& e) {
         }
     }
     return bounds;
+}
+
+double farthest_from(const Element& e, Vec place) {
+    const Bounds box = bounds_of(e);
+    return length(
+        Vec{std::max(place.x - box.min.x, box.max.x - place.x), std::max(place.y - box.min.y, box.max.y - place.y)});
 }
 
 Element piece_of(const Element& e, Interval on) {

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include "plane/point.h"
@@ -43,6 +44,7 @@ struct Interval {
 inline Interval interval_of(const Element& e) {
     return e.kind == ElementKind::arc ? Interval{e.from, e.to} : Interval{};
 }
+std::string_view name_of(ElementKind kind);  // "point", "line", ...
 // How many vectors of `at` a kind has: control points, or an arc's centre and half axes.
 constexpr std::size_t vector_count(ElementKind kind) {
     return kind == ElementKind::point ? 1 : kind == ElementKind::line ? 2 : kind == ElementKind::cubic ? 4 : 3;
@@ -80,10 +82,17 @@ struct Bounds {  // px, closed; empty while min > max
 };
 void extend(Bounds& bounds, Vec p);
 void extend(Bounds& bounds, const Bounds& by);
+// Whether two come within `reach` of each other along x and y.
+inline bool do_overlap(const Bounds& a, const Bounds& b, double reach = 0) {
+    return a.min.x <= b.max.x + reach && b.min.x <= a.max.x + reach && a.min.y <= b.max.y + reach &&
+           b.min.y <= a.max.y + reach;
+}
 // Exact for points, lines and arcs; for Beziers the box of the curve, not of the control points.
 Bounds bounds_of(const Element& e);
 Bounds bounds_of(std::span<const Element> elements);
 double diagonal_of(const Bounds& bounds);  // px; 0 of empty ones
+// The farthest that an element's box comes from a place, px.
+double farthest_from(const Element& e, Vec place);
 
 // The part of the descriptor between two parameters, in either order and beyond the element's ends, too: sub-division
 // and extension by one formula, the blossom. Paper: section 3.2, there by de Casteljau's algorithm.

@@ -29,8 +29,6 @@ public:
     const MatchOptions& options() const { return options_; }
     // A point of each left element, half way along it.
     const std::vector<Vec>& middles() const { return middles_; }
-    // The mean of these: the symmetries of the left side keep it.
-    Vec centroid() const { return centroid_; }
     // Below this scale an element of the left side would be no longer than the tolerance, and lie on anything.
     double least_scale() const { return least_scale_; }
     // The order in which the left elements are asked for; those that are rare in the design should come first.
@@ -59,7 +57,7 @@ private:
     const MatchIndex& design_;
     const MatchOptions& options_;
     std::vector<Vec> middles_;
-    Vec centroid_;
+    Vec centroid_;  // of the left side; its symmetries keep it
     double least_scale_ = 0;
     std::vector<std::uint32_t> order_;
     std::vector<double> ten_tolerances_;

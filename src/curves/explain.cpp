@@ -166,29 +166,24 @@ private:
         return best;
     }
 
-    bool is_rigid() const {
-        return options_.group == MatchGroup::isometry || options_.group == MatchGroup::translation;
-    }
     static double scale_of(const Transform& by) { return std::sqrt(std::fabs(determinant(by))); }
     // How much something must be turned or grown that the left side reaches a tolerance farther.
     double slack() const { return options_.tolerance / std::max(reach_, options_.tolerance) + 1e-9; }
     bool is_scale_outside(const Transform& by) const {
         const double scale = scale_of(by);
-        if (is_rigid()) return std::fabs(scale - 1) > slack();
+        if (keeps_lengths(options_)) return std::fabs(scale - 1) > slack();
         return scale < options_.min_scale * (1 - slack()) || scale > options_.max_scale * (1 + slack());
     }
     bool is_turn_outside(const Transform& by) const {
         if (options_.group != MatchGroup::translation) return false;
         return length(Vec{by.a, by.b} * (1 / length(Vec{by.a, by.b})) - Vec{1, 0}) > slack();
     }
-    bool needs_reflection(const Transform& by) const {
-        const bool allows = options_.with_reflections && options_.group != MatchGroup::translation;
-        return determinant(by) < 0 && !allows;
-    }
+    bool needs_reflection(const Transform& by) const { return determinant(by) < 0 && !allows_reflections(options_); }
     // The smallest group that a candidate keeps to.
     MatchGroup group_of(const Transform& by) const {
         if (options_.group == MatchGroup::affine) return MatchGroup::affine;
-        const bool is_outside = (is_rigid() && is_scale_outside(by)) || is_turn_outside(by) || needs_reflection(by);
+        const bool is_outside =
+            (keeps_lengths(options_) && is_scale_outside(by)) || is_turn_outside(by) || needs_reflection(by);
         return is_outside ? MatchGroup::similarity : options_.group;
     }
 
@@ -334,42 +329,29 @@ std::string amount_text(double value) {
     return text;
 }
 
-std::string place_text(Vec at) {
+std::string place_text(Vec at, double px_per_unit) {
     std::string text = "(";
-    append_fixed(text, at.x, 3);
+    append_fixed(text, at.x / px_per_unit, 3);
     text += ", ";
-    append_fixed(text, at.y, 3);
+    append_fixed(text, at.y / px_per_unit, 3);
     return text + ")";
 }
 
-const char* name_of(ElementKind kind) {
-    switch (kind) {
-        case ElementKind::point:
-            return "point";
-        case ElementKind::line:
-            return "line";
-        case ElementKind::parabola:
-            return "parabola";
-        case ElementKind::arc:
-            return "arc";
-        case ElementKind::cubic:
-            return "cubic";
-    }
-    return "";
-}
-
-std::string text_of(const Finding& finding) {
+std::string text_of(const Finding& finding, double px_per_unit) {
     switch (finding.lack) {
         case Lack::none:
             return "fits";
         case Lack::ends_early:
-            return "its curve ends " + amount_text(100 * finding.share) + " % too early, at " + place_text(finding.at);
+            return "its curve ends " + amount_text(100 * finding.share) + " % too early, at " +
+                   place_text(finding.at, px_per_unit);
         case Lack::off:
             if (finding.tolerances > 1000) {
-                return std::string("there is no ") + name_of(finding.kind) + " like it near " + place_text(finding.at) +
-                       ", the nearest lies " + amount_text(finding.tolerances) + " tolerances off";
+                return "there is no " + std::string(name_of(finding.kind)) + " like it near " +
+                       place_text(finding.at, px_per_unit) + ", the nearest lies " + amount_text(finding.tolerances) +
+                       " tolerances off";
             }
-            return "lies " + amount_text(finding.tolerances) + " tolerances off, near " + place_text(finding.at);
+            return "lies " + amount_text(finding.tolerances) + " tolerances off, near " +
+                   place_text(finding.at, px_per_unit);
         case Lack::other_layer:
             return finding.kind == ElementKind::point ? "the label there is another one"
                                                       : "the colour there is another one";
@@ -378,9 +360,9 @@ std::string text_of(const Finding& finding) {
         case Lack::too_heavy:
             return "what lies there is too heavy";
         case Lack::nothing_here:
-            return std::string("there is no ") + name_of(finding.kind) + " near " + place_text(finding.at);
+            return "there is no " + std::string(name_of(finding.kind)) + " near " + place_text(finding.at, px_per_unit);
         case Lack::nothing_of_kind:
-            return std::string("there is no ") + name_of(finding.kind) + " in the whole design";
+            return "there is no " + std::string(name_of(finding.kind)) + " in the whole design";
     }
     return "";
 }
@@ -392,7 +374,7 @@ Explanation explain(const Shape& left, const MatchIndex& design, const MatchOpti
     return Explainer(left, design, options, near).run();
 }
 
-std::vector<std::string> text_of(const Explanation& explanation) {
+std::vector<std::string> text_of(const Explanation& explanation, double px_per_unit) {
     std::vector<std::string> sentences;
     if (explanation.is_scale_outside) {
         sentences.push_back("the scale, " + amount_text(explanation.scale) + ", is not allowed");
@@ -404,8 +386,9 @@ std::vector<std::string> text_of(const Explanation& explanation) {
     for (std::size_t i = 0; i < explanation.findings.size(); ++i) {
         const Finding& finding = explanation.findings[i];
         if (finding.lack == Lack::none) continue;
-        std::string sentence = "element " + to_text(std::uint64_t{i + 1}) + " (" + name_of(finding.kind) + "): ";
-        sentences.push_back(sentence + text_of(finding));
+        std::string sentence =
+            "element " + to_text(std::uint64_t{i + 1}) + " (" + std::string(name_of(finding.kind)) + "): ";
+        sentences.push_back(sentence + text_of(finding, px_per_unit));
     }
     if (sentences.empty()) sentences.emplace_back("every element lies on the design");
     return sentences;

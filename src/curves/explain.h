@@ -60,7 +60,7 @@ Explanation explain(const Shape& left, const MatchIndex& design, const MatchOpti
                     std::optional<Vec> near = std::nullopt);
 
 // One sentence for each thing that is missing, elements numbered from 1: "element 3 (arc): its curve ends 0.4 % too
-// early, at (12, 4)".
-std::vector<std::string> text_of(const Explanation& explanation);
+// early, at (12, 4)". Places in a unit of so many px.
+std::vector<std::string> text_of(const Explanation& explanation, double px_per_unit = 1);
 
 }  // namespace filigree::curves

@@ -238,7 +238,7 @@ private:
             const Element& e = design_.element(slot);
             const double reach = 0.05 * rough_length(e);
             std::vector<Element> others;
-            for (const std::uint32_t number : numbers_near(design_.grid(), e, reach)) {
+            for (const std::uint32_t number : design_.grid().found_along(e, reach)) {
                 if (number != slot) others.push_back(design_.element(number));
             }
             marks_[slot] = marks_on(e, others, reach);
@@ -316,15 +316,7 @@ private:
 
 }  // namespace
 
-double reach_of(const Shape& shape) {
-    Bounds box;
-    for (const Element& e : shape.elements) {
-        const Bounds own = bounds_of(e);
-        extend(box, own.min);
-        extend(box, own.max);
-    }
-    return 0.5 * length(box.max - box.min);
-}
+double reach_of(const Shape& shape) { return 0.5 * diagonal_of(bounds_of(shape.elements)); }
 
 Candidates partial_embeddings(const Shape& left, const MatchIndex& design, const MatchOptions& options,
                               std::optional<Vec> near) {

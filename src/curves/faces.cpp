@@ -37,7 +37,9 @@ public:
     std::vector<Vec> places;
 
 private:
-    std::int64_t cell_of(double v) const { return static_cast<std::int64_t>(std::floor(v / cell_)); }
+    std::int64_t cell_of(double v) const {
+        return static_cast<std::int64_t>(std::floor(std::clamp(v / cell_, -1e18, 1e18)));
+    }
 
     double reach_, cell_;
     std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::uint32_t>> cells_;  // looked up only
@@ -55,11 +57,6 @@ void add_meeting(const Element& a, const Element& b, double tolerance, std::vect
     if (s < -slack_a || s > 1 + slack_a || t < -slack_b || t > 1 + slack_b) return;
     on_a.push_back(std::clamp(s, 0.0, 1.0));
     on_b.push_back(std::clamp(t, 0.0, 1.0));
-}
-
-bool overlap(const Bounds& a, const Bounds& b, double slack) {
-    return a.min.x <= b.max.x + slack && b.min.x <= a.max.x + slack && a.min.y <= b.max.y + slack &&
-           b.min.y <= a.max.y + slack;
 }
 
 struct Half {
@@ -132,7 +129,7 @@ bool has_something_inside(const Face& face, const std::vector<Vec>& nodes, const
     if (std::any_of(nodes.begin(), nodes.end(), is_in)) return true;
     for (const Element& e : shape.elements) {
         if (e.kind == ElementKind::line || e.kind == ElementKind::point) continue;
-        if (!overlap(bounds_of(e), box, 0)) continue;
+        if (!do_overlap(bounds_of(e), box)) continue;
         const Interval on = interval_of(e);
         for (int i = 0; i <= 64; ++i) {
             if (is_in(point_at(e, on.from + (on.to - on.from) * i / 64))) return true;
@@ -160,7 +157,8 @@ std::vector<Face> convex_faces(const Shape& shape, double tolerance) {
         for (std::size_t j = i + 1; j < by_left.size(); ++j) {
             const std::uint32_t a = by_left[i], b = by_left[j];
             if (boxes[b].min.x > boxes[a].max.x + tolerance) break;
-            if (overlap(boxes[a], boxes[b], tolerance)) add_meeting(*lines[a], *lines[b], tolerance, cuts[a], cuts[b]);
+            if (do_overlap(boxes[a], boxes[b], tolerance))
+                add_meeting(*lines[a], *lines[b], tolerance, cuts[a], cuts[b]);
         }
     }
     Nodes nodes(tolerance);

@@ -7,6 +7,7 @@
 
 #include "base/random.h"
 #include "curves/algebra.h"
+#include "curves/match_order.h"
 #include "curves/moments.h"
 
 namespace filigree::curves {
@@ -64,19 +65,36 @@ public:
     }
 
     bool finds_any(bool with_reflections) const {
-        if (marks_of_a_.size() != by_x_.size()) return false;
+        bool is_any = false;
+        visit_maps(with_reflections, [&](const Transform&) {
+            is_any = true;
+            return false;
+        });
+        return is_any;
+    }
+
+    // Calls visit(map) for each map that there is, some twice, until it says false.
+    template <class Visit>
+    void visit_maps(bool with_reflections, Visit visit) const {
+        if (marks_of_a_.size() != by_x_.size()) return;
+        const auto agrees_and_ends = [&](Vec m, bool is_mirrored) {
+            const Transform by = map_of(m, is_mirrored);
+            return agrees(by) && !visit(by);
+        };
         const Mark* const pivot = rarest_mark();
-        if (pivot == nullptr) return agrees(Vec{scale_, 0}, false);  // round about the middle
+        if (pivot == nullptr) {  // round about the middle
+            agrees_and_ends(Vec{scale_, 0}, false);
+            return;
+        }
         for (const Mark& mark : candidates(*pivot)) {
             if (!are_of_one_sort(a_.elements[pivot->element], b_.elements[mark.element])) continue;
             for (int mirrored = 0; mirrored <= (with_reflections ? 1 : 0); ++mirrored) {
                 const Vec p = mirrored != 0 ? Vec{pivot->at.x, -pivot->at.y} : pivot->at;
                 // mark / p as complex numbers, at the known scale.
                 const Vec turn{dot(p, mark.at), cross(p, mark.at)};
-                if (agrees(turn * (scale_ / length(turn)), mirrored != 0)) return true;
+                if (agrees_and_ends(turn * (scale_ / length(turn)), mirrored != 0)) return;
             }
         }
-        return false;
     }
 
 private:
@@ -105,11 +123,16 @@ private:
         return best;
     }
 
-    bool agrees(Vec m, bool is_mirrored) const {
+    // From the middle of one to that of the other.
+    Transform map_of(Vec m, bool is_mirrored) const {
         const Transform turned =
             is_mirrored ? Transform{m.x, m.y, m.y, -m.x, 0, 0} : Transform{m.x, m.y, -m.y, m.x, 0, 0};
+        return compose(translation(of_b_.middle), compose(turned, translation(-of_a_.middle)));
+    }
+
+    bool agrees(const Transform& by) const {
         for (const Mark& mark : marks_of_a_) {
-            const Vec there = apply(turned, mark.at);
+            const Vec there = apply(by, of_a_.middle + mark.at) - of_b_.middle;
             const auto is_left = [](const Mark& other, double x) { return other.at.x < x; };
             auto at = std::lower_bound(by_x_.begin(), by_x_.end(), there.x - slack_, is_left);
             while (at != by_x_.end() && at->at.x <= there.x + slack_ &&
@@ -119,7 +142,6 @@ private:
             }
             if (at == by_x_.end() || at->at.x > there.x + slack_) return false;
         }
-        const Transform by = compose(translation(of_b_.middle), compose(turned, translation(-of_a_.middle)));
         return are_equal(transformed(a_, by), b_, slack_);
     }
 
@@ -167,6 +189,24 @@ bool are_same_design(const Shape& a, const Shape& b, UpTo up_to, double toleranc
     return Comparison(a, b, scale, slack).finds_any(with_reflections);
 }
 
+std::vector<Transform> maps_onto_itself(const Shape& shape, double tolerance) {
+    std::vector<Transform> maps = {Transform{}};
+    if (shape.elements.empty()) return maps;
+    const double slack = 4 * tolerance, size = diagonal_of(bounds_of(shape.elements));
+    Comparison(shape, shape, 1, slack).visit_maps(true, [&](const Transform& by) {
+        // Two maps that turn alike are one: they all keep the middle.
+        const auto is_known = [&](const Transform& other) {
+            const double turn = std::fabs(by.a - other.a) + std::fabs(by.b - other.b);
+            return determinant(by) * determinant(other) > 0 && turn * size <= 2 * slack;
+        };
+        if (std::none_of(maps.begin(), maps.end(), is_known)) maps.push_back(by);
+        return true;
+    });
+    const auto rank = [&](const Transform& by) { return std::pair(determinant(by) < 0, angle_of(by)); };
+    std::sort(maps.begin() + 1, maps.end(), [&](const Transform& a, const Transform& b) { return rank(a) < rank(b); });
+    return maps;
+}
+
 std::optional<std::uint32_t> DesignSet::find_or_add(const Shape& design, std::uint32_t number) {
     const Fingerprint print = fingerprint(design, up_to_);
     // Wide beside what rounding does to sums over all elements, narrow beside what a rule does.
@@ -174,7 +214,7 @@ std::optional<std::uint32_t> DesignSet::find_or_add(const Shape& design, std::ui
     Bucket own{static_cast<std::int64_t>(print.kinds), 0, 0, 0};
     std::array<std::int64_t, 3> other{};
     for (std::size_t i = 0; i < 3; ++i) {
-        const double at = print.values[i] / (up_to_ == UpTo::similarity ? 1e-3 : cell);
+        const double at = std::clamp(print.values[i] / (up_to_ == UpTo::similarity ? 1e-3 : cell), -1e18, 1e18);
         own[i + 1] = static_cast<std::int64_t>(std::floor(at));
         other[i] = at - std::floor(at) < 0.5 ? -1 : 1;
     }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "curves/shape.h"
+#include "plane/transform.h"
 
 namespace filigree::curves {
 
@@ -26,6 +27,11 @@ Fingerprint fingerprint(const Shape& shape, UpTo up_to);
 // Whether some map of the kind carries one onto the other, to within four tolerances. Both maximal, with as many
 // elements of each kind.
 bool are_same_design(const Shape& a, const Shape& b, UpTo up_to, double tolerance, bool with_reflections = true);
+
+// The isometries that carry a design onto itself, to within four tolerances, the identity first. Where all lies round
+// about one place, as circles do, the identity stands for all turns. Unlike symmetries() it takes about as long as a
+// comparison for each of them, however large the design is.
+std::vector<Transform> maps_onto_itself(const Shape& shape, double tolerance);
 
 // Designs, each once, under numbers.
 class DesignSet {

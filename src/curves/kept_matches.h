@@ -1,8 +1,9 @@
 // The matches of one left side, kept while the design changes: after a rule only what lies near the change is searched.
 //
-// What is kept is what find_matches() would find now, in the same order. An update costs by what changes, not by how
-// many matches there are: those on a slot that was emptied are known by the slot, and what is new lies on something
-// new.
+// What is kept is what find_matches() would find now, in the same order. Where only curves with frames change, an
+// update costs by what changes, not by how many matches there are: those on a slot that was emptied are known by the
+// slot, and what is new lies on something new. Where lines, points or circles change, all seats of the left side's
+// anchor are passed over, and of a left side that nothing fixes all is searched again.
 #pragma once
 
 #include <span>

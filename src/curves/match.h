@@ -25,6 +25,13 @@ struct MatchOptions {
     double visual_tolerance = 0;  // px; how far look-alikes may lie off (visual.h)
 };
 
+inline bool allows_reflections(const MatchOptions& options) {
+    return options.with_reflections && options.group != MatchGroup::translation;
+}
+inline bool keeps_lengths(const MatchOptions& options) {
+    return options.group == MatchGroup::isometry || options.group == MatchGroup::translation;
+}
+
 // One way in which a left side lies on a design.
 struct Match {
     Transform by;  // carries the left side onto the design

@@ -106,7 +106,9 @@ MatchIndex::Change MatchIndex::update(std::span<const Element> removed, std::spa
     for (const Element& e : removed) {
         std::uint32_t found = none;
         const Vec middle = middle_of(e);
-        grid_.visit_near(middle, 1e-12 * (std::fabs(middle.x) + std::fabs(middle.y)), [&](std::uint32_t slot) {
+        // Rounding may have put the middle into the next cell.
+        const double off = 1e-12 * (std::fabs(middle.x) + std::fabs(middle.y) + rough_length(e));
+        grid_.visit_near(middle, off, [&](std::uint32_t slot) {
             if (elements_[slot] == e) found = slot;
         });
         if (found == none) continue;

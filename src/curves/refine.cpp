@@ -138,11 +138,7 @@ void add_equations(LeastSquares& equations, const Element& carrier, const Elemen
 
 Transform refined(const Transform& start, MatchGroup group, std::span<const Pairing> pairs) {
     Bounds box;
-    for (const Pairing& pair : pairs) {
-        const Bounds own = bounds_of(transformed(*pair.part, start));
-        extend(box, own.min);
-        extend(box, own.max);
-    }
+    for (const Pairing& pair : pairs) extend(box, bounds_of(transformed(*pair.part, start)));
     Frame frame{(box.min + box.max) * 0.5, length(box.max - box.min)};
     if (!(frame.size > 0)) frame.size = 1;
     Transform by = start;

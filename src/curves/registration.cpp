@@ -87,7 +87,7 @@ Registrations registrations_of(const MatchIndex& design, const Shape& left, cons
         const Type type = type_of(e);
         if (places.contains(type)) add_place(found, e, slot);
         if (!touching.contains(type)) continue;
-        for (const std::uint32_t other : numbers_near(design.grid(), e, reach)) {
+        for (const std::uint32_t other : design.grid().found_along(e, reach)) {
             if (other >= slot || !pairs.contains({type, type_of(design.element(other))})) continue;
             add_contacts(found, design.element(other), other, e, slot, tolerance, reach, flat_sine);
         }

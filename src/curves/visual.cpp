@@ -94,12 +94,7 @@ public:
     LookAlikes(const Shape& left, const MatchIndex& design, const MatchOptions& options)
         : left_(left), design_(design), options_(options), centroid_(centroid_of(left)) {
         if (options_.group == MatchGroup::affine) options_.group = MatchGroup::similarity;
-        Bounds box;
-        for (const Element& e : left.elements) {
-            const Bounds own = bounds_of(e);
-            extend(box, own.min);
-            extend(box, own.max);
-        }
+        const Bounds box = bounds_of(left.elements);
         corners_ = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
     }
 
@@ -115,9 +110,6 @@ public:
 
 private:
     double reach() const { return options_.visual_tolerance; }
-    bool is_rigid() const {
-        return options_.group == MatchGroup::isometry || options_.group == MatchGroup::translation;
-    }
 
     // The widest pair of each left element onto all pairs of each element of the design.
     void lay_by_marks() {
@@ -125,7 +117,7 @@ private:
         for (std::uint32_t slot = 0; slot < marks.size(); ++slot) {
             if (!design_.is_taken(slot) || design_.element(slot).kind == ElementKind::point) continue;
             std::vector<Element> others;
-            for (const std::uint32_t other : numbers_near(design_.grid(), design_.element(slot), reach())) {
+            for (const std::uint32_t other : design_.grid().found_along(design_.element(slot), reach())) {
                 if (other != slot) others.push_back(design_.element(other));
             }
             marks[slot] = marks_on(design_.element(slot), others, reach());
@@ -150,7 +142,7 @@ private:
 
     void lay(Vec p, Vec q, Vec to_p, Vec to_q) {
         for (const bool is_reflected : {false, true}) {
-            if (is_reflected && !(options_.with_reflections && options_.group != MatchGroup::translation)) continue;
+            if (is_reflected && !allows_reflections(options_)) continue;
             Vec m = over(to_q - to_p, is_reflected ? conjugate(q - p) : q - p);
             if (options_.group == MatchGroup::translation) m = {1, 0};
             if (options_.group == MatchGroup::isometry) m = m * (1 / length(m));
@@ -161,9 +153,8 @@ private:
     bool is_allowed(const Transform& by) const {
         const double size = determinant(by), scale = std::sqrt(std::fabs(size));
         if (!std::isfinite(scale) || !std::isfinite(by.e) || !std::isfinite(by.f)) return false;
-        const bool reflects = options_.with_reflections && options_.group != MatchGroup::translation;
-        if (size < 0 && !reflects) return false;
-        if (is_rigid() && std::fabs(scale - 1) > 1e-9) return false;
+        if (size < 0 && !allows_reflections(options_)) return false;
+        if (keeps_lengths(options_) && std::fabs(scale - 1) > 1e-9) return false;
         if (options_.group == MatchGroup::translation && std::fabs(by.b) > 1e-9) return false;
         if (scale < options_.min_scale * (1 - 1e-9) || scale > options_.max_scale * (1 + 1e-9)) return false;
         // What is no longer than a few tolerances looks like anything.

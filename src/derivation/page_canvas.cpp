@@ -9,7 +9,7 @@ Canvas page_canvas(const Settings& settings, const Document& document, const Box
     const Vec low = to_px(box.min), high = to_px(box.max);
     const Vec extent = high - low;
     Canvas canvas;
-    const Unit unit = document.units.empty() ? Unit::px : document.units[0];
+    const Unit unit = unit_of(document);
     canvas.in_mm = settings.page.in_mm || unit == Unit::mm || unit == Unit::cm || unit == Unit::m;
     if (settings.page.kind == PageStatement::Kind::fit) {
         fit_canvas(canvas, box, settings.page.margin);

@@ -82,7 +82,7 @@ std::optional<ShapeRule> Parser::read_shape_rule() {
     }
     if (at(TokenKind::arrow)) {
         fail_expected("language.missing-side", "the left side of the rule",
-                      {"a rule that looks for nothing is written 'name = empty -> shape'"});
+                      {"what a rule adds stands in relation to something that it finds", std::string(rule_example)});
         return std::nullopt;
     }
     rule.left = read_expression();

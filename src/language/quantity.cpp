@@ -60,6 +60,8 @@ Unit bare_unit(const Document* document, const SourceSpan& span) {
     return is_length_unit(unit) ? unit : Unit::px;
 }
 
+Unit unit_of(const Document& document) { return document.units.empty() ? Unit::px : document.units[0]; }
+
 Quantity quantity_of(const NumberLiteral& literal) {
     const double value = literal.value;
     switch (literal.unit) {

@@ -25,6 +25,9 @@ double from_px(double px, Unit unit);
 // What a bare length means in the source file of a span: px where it has none.
 Unit bare_unit(const Document* document, const SourceSpan& span);
 
+// That of the document's own file.
+Unit unit_of(const Document& document);
+
 Quantity quantity_of(const NumberLiteral& literal);
 
 inline bool is_bare(const Quantity& q) { return q.length_power == 0 && !q.is_angle; }

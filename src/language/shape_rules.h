@@ -42,7 +42,8 @@ struct ShapeRules {
 // `document` must outlive the result. Reports: names of two rules, rules that follow from themselves, from no rule or
 // by no way that exists, unknown rules of `apply`, settings said twice; and of the expressions in rules, starts,
 // applies, `steps` and `tolerance` what is wrong whatever the values, and sides that are no shapes. `varying`: example
-// values of what weights, priorities and conditions know besides the globals.
+// values of what conditions (and, where an engine evaluates them anew, weights and priorities) know besides the
+// globals.
 Result<ShapeRules> read_shape_rules(const Document& document, const Scope& globals,
                                     std::span<const DrawnRule> drawn = {}, const Scope* varying = nullptr);
 

@@ -10,7 +10,7 @@ shape::Surroundings surroundings_of(const OpenedDocument& opened, const CheckedD
 
 Result<shape::Derivation> derive_design(const OpenedDocument& opened, const CheckedDocument& checked,
                                         const DesignOptions& options, const Job& job) {
-    shape::DeriveOptions derive{options.steps, options.site};
+    shape::DeriveOptions derive{options.steps, options.site, options.by_hand_alone};
     if (derive.site.replay == nullptr) derive.site.replay = checked.replay.get();
     return shape::derive(*checked.design, surroundings_of(opened, checked), derive, job);
 }

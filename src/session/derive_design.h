@@ -21,6 +21,7 @@ struct DesignRun {
 struct DesignOptions {
     std::optional<std::uint64_t> steps;  // none: as many as the document says
     DocumentSite site = {};
+    bool by_hand_alone = false;  // without the machine's steps
 };
 
 // What the engine is told of the document; points to it and to `checked`.

@@ -89,7 +89,7 @@ std::string design_json(const OpenedDocument& opened, const CheckedDocument& che
 
 Result<shape::FoundDesigns> find_designs(const OpenedDocument& opened, const CheckedDocument& checked,
                                          const shape::EnumerateOptions& options, const Job& job) {
-    Result<shape::Derivation> derivation = derive_design(opened, checked, {}, job);
+    Result<shape::Derivation> derivation = derive_design(opened, checked, {{}, {}, true}, job);
     if (!derivation) return derivation.diagnostics();
     return shape::enumerate(*checked.design, derivation->design, surroundings_of(opened, checked), options, job);
 }

@@ -16,15 +16,21 @@ using Json = nlohmann::ordered_json;
 using shape::Application;
 using shape::Applications;
 
-// A length in the unit of the document, to a thousandth of a px: what people read and write back.
-double in_unit(double px, const OpenedDocument& opened) {
-    const Unit unit = opened.document.units.empty() ? Unit::px : opened.document.units[0];
-    const double rounded = std::round(px * 1000) / 1000;
-    const double value = std::round(from_px(rounded, unit) * 10000) / 10000;
-    return value == 0 ? 0 : value;
+// What people read and write back: in the unit of the document, to a thousandth of a px, and of the breadth of what lies
+// there.
+std::string place_text(Vec place, double breadth, const OpenedDocument& opened) {
+    const Unit unit = unit_of(opened.document);
+    double per_px = 1000;
+    while (per_px * breadth < 1e3 && per_px < 1e12 && breadth > 0) per_px *= 10;
+    const auto in_unit = [&](double px) {
+        const double rounded = std::round(px * per_px) / per_px;
+        const double value = std::round(from_px(rounded, unit) * (10 * per_px)) / (10 * per_px);
+        return value == 0 ? 0 : value;
+    };
+    return "(" + to_text(in_unit(place.x)) + ", " + to_text(in_unit(place.y)) + ")";
 }
-std::string place_text(Vec place, const OpenedDocument& opened) {
-    return "(" + to_text(in_unit(place.x, opened)) + ", " + to_text(in_unit(place.y, opened)) + ")";
+std::string place_text(const Application& at, const shape::Rule& rule, const OpenedDocument& opened) {
+    return place_text(at.place, breadth_of(rule, at), opened);
 }
 double shortened(double value) {
     const double rounded = std::round(value * 1e6) / 1e6;
@@ -34,22 +40,6 @@ double shortened_angle(double degrees) { return std::fmod(shortened(degrees), 36
 
 const shape::Rule& rule_of(const CheckedDocument& checked, std::uint32_t rule) { return checked.design->rules[rule]; }
 
-std::string_view kind_name(curves::ElementKind kind) {
-    switch (kind) {
-        case curves::ElementKind::point:
-            return "point";
-        case curves::ElementKind::line:
-            return "line";
-        case curves::ElementKind::parabola:
-            return "parabola";
-        case curves::ElementKind::arc:
-            return "arc";
-        case curves::ElementKind::cubic:
-            return "cubic";
-    }
-    return "";
-}
-
 std::size_t count_of(const FoundMatches& found) {
     std::size_t count = 0;
     for (const Applications& one : found.of_rules) count += one.all.size();
@@ -58,7 +48,7 @@ std::size_t count_of(const FoundMatches& found) {
 
 Json json_of(const curves::Element& e) {
     Json json;
-    json["kind"] = kind_name(e.kind);
+    json["kind"] = curves::name_of(e.kind);
     for (std::size_t i = 0; i < curves::vector_count(e.kind); ++i) json["points"].push_back({e.at[i].x, e.at[i].y});
     if (e.kind == curves::ElementKind::arc) {
         json["from"] = e.from;
@@ -86,7 +76,7 @@ Result<FoundMatches> find_matches(const OpenedDocument& opened, const CheckedDoc
         if (unknown.hints.empty() && !names.empty()) unknown.hints = {"one of them is '" + std::string(names[0]) + "'"};
         return unknown;
     }
-    Result<shape::Derivation> derivation = derive_design(opened, checked, {question.steps, {}}, job);
+    Result<shape::Derivation> derivation = derive_design(opened, checked, {question.steps, {}, question.by_hand_alone}, job);
     if (!derivation) return derivation.diagnostics();
     found.derivation = std::move(*derivation);
     shape::SeenDesign seen = seen_design(grammar, found.derivation);
@@ -100,11 +90,13 @@ Result<FoundMatches> find_matches(const OpenedDocument& opened, const CheckedDoc
 
 std::string apply_text(const OpenedDocument& opened, const CheckedDocument& checked, const Applications& among,
                        const Application& at, bool is_orbit) {
-    std::string text = "apply " + rule_of(checked, at.rule).name + " at " + place_text(at.place, opened);
-    // What sets it apart from others at the same place.
+    std::string text = "apply " + rule_of(checked, at.rule).name + " at " +
+                       place_text(at, rule_of(checked, at.rule), opened);
+    // What sets it apart from others at the same place, and from those that may be meant by it.
+    const double same = std::max(0.5, 0.02 * breadth_of(rule_of(checked, at.rule), at));
     bool other_angle = false, other_scale = false;
     for (const Application& other : among.all) {
-        if (length(other.place - at.place) > 0.5 || other.fit.is_reflected != at.fit.is_reflected) continue;
+        if (length(other.place - at.place) > same || other.fit.is_reflected != at.fit.is_reflected) continue;
         other_angle =
             other_angle || std::fabs(std::remainder(other.fit.angle_degrees - at.fit.angle_degrees, 360)) > 1e-3;
         other_scale = other_scale || std::fabs(other.fit.scale / at.fit.scale - 1) > 1e-3;
@@ -131,9 +123,10 @@ std::string matches_text(const OpenedDocument& opened, const CheckedDocument& ch
             text += ", " + std::to_string(here.near_misses) + (here.near_misses == 1 ? " near miss" : " near misses") +
                     " (within ten tolerances)";
         }
+        if (!here.is_complete) text += ", and more, which were not looked for";
         text += "\n";
         for (const Application& at : here.all) {
-            text += "  " + std::to_string(++number) + "  at " + place_text(at.place, opened);
+            text += "  " + std::to_string(++number) + "  at " + place_text(at, rule, opened);
             if (const double angle = shortened_angle(at.fit.angle_degrees); angle != 0)
                 text += "  angle " + to_text(angle);
             if (const double scale = shortened(at.fit.scale); scale != 1) text += "  scale " + to_text(scale);
@@ -164,6 +157,7 @@ std::string matches_json(const OpenedDocument& opened, const CheckedDocument& ch
         one["matches"] = here.matches;
         one["families"] = here.families.size();
         one["near_misses"] = here.near_misses;
+        one["complete"] = here.is_complete;
         one["applications"] = Json::array();
         for (const Application& at : here.all) {
             const Transform& t = at.fit.by;
@@ -205,7 +199,7 @@ Result<std::string> explain_match(const OpenedDocument& opened, const CheckedDoc
     }
     const curves::MatchIndex index(found.derivation.design, checked.design->tolerance);
     const curves::Explanation why = curves::explain(rule.left, index, rule.options, question.at);
-    const std::vector<std::string> sentences = text_of(why);
+    const std::vector<std::string> sentences = text_of(why, px_per(unit_of(opened.document)));
     const std::string fitting = std::to_string(why.fitting) + " of " + std::to_string(why.findings.size());
     if (as_json) {
         Json json;
@@ -220,7 +214,8 @@ Result<std::string> explain_match(const OpenedDocument& opened, const CheckedDoc
         json["missing"] = sentences;
         return json.dump(1) + "\n";
     }
-    std::string text = rule.name + " comes nearest at " + place_text(why.centroid, opened) + ", angle " +
+    const double breadth = diagonal_of(bounds_of(rule.left.elements)) * why.scale;
+    std::string text = rule.name + " comes nearest at " + place_text(why.centroid, breadth, opened) + ", angle " +
                        to_text(shortened_angle(why.angle_degrees)) + (determinant(why.by) < 0 ? " mirrored" : "") +
                        ", scale " + to_text(shortened(why.scale)) + ": " + fitting + " elements fit\n";
     for (const std::string& sentence : sentences) text += "  " + sentence + "\n";
@@ -229,7 +224,10 @@ Result<std::string> explain_match(const OpenedDocument& opened, const CheckedDoc
     const auto is_there = [&](const Application& at) { return length(at.place - why.centroid) < 1e-3; };
     const auto& all = found.of_rules[0].all;
     const bool applies = std::any_of(all.begin(), all.end(), is_there);
-    return text + (applies ? "  it applies there\n" : "  its conditions (unless, when) do not hold there\n");
+    if (applies) return text + "  it applies there\n";
+    const bool has_conditions = !rule.forbidden.empty() || !rule.voids.empty() || rule.condition != nullptr;
+    return text + (has_conditions ? "  its conditions (unless, when) do not hold there\n"
+                                  : "  too little of it is fixed for a match\n");
 }
 
 Result<std::string> with_step(const OpenedDocument& opened, const CheckedDocument& checked, const FoundMatches& found,

@@ -17,7 +17,8 @@ namespace filigree {
 struct MatchQuestion {
     std::string rule;                    // empty: every rule
     std::optional<std::uint64_t> steps;  // in which state of the derivation
-    std::optional<Vec> at;               // px: only those that lie there, or to explain
+    bool by_hand_alone = false;          // behind the steps by hand, before the machine's
+    std::optional<Vec> at;               // px: where a match is expected that explain_match() explains
 };
 
 // The applications in the design that the document leads to, with where the derivation stands.
@@ -36,8 +37,8 @@ std::string matches_json(const OpenedDocument& opened, const CheckedDocument& ch
 Result<std::string> explain_match(const OpenedDocument& opened, const CheckedDocument& checked,
                                   const MatchQuestion& question, const FoundMatches& found, bool as_json);
 
-// The document with one `apply` more: that of the K-th application of a rule, counted from 1 as matches are listed.
-// The statement stands behind the last one of its kind, else at the end.
+// The document with one `apply` more, as its last line: that of the K-th application, counted from 1 as matches are
+// listed.
 Result<std::string> with_step(const OpenedDocument& opened, const CheckedDocument& checked, const FoundMatches& found,
                               std::uint64_t number, bool is_orbit);
 

@@ -1,7 +1,6 @@
 #include "session/pick_design.h"
 
-#include <algorithm>
-
+#include "curves/nearest.h"
 #include "engines/shape/paths.h"
 #include "session/list_matches.h"
 #include "session/list_steps.h"
@@ -10,23 +9,6 @@ namespace filigree {
 namespace {
 
 constexpr double reach = 3;  // px on the page
-
-double distance_to(const curves::Element& e, Vec p) {
-    if (e.kind == curves::ElementKind::point) return length(e.at[0] - p);
-    constexpr int pieces = 256;
-    const curves::Interval on = curves::interval_of(e);
-    double least = 1e300;
-    Vec from = curves::point_at(e, on.from);
-    for (int i = 1; i <= pieces; ++i) {
-        const Vec to = curves::point_at(e, on.from + (on.to - on.from) * i / pieces);
-        const Vec way = to - from;
-        const double size = dot(way, way);
-        const double t = size > 0 ? std::clamp(dot(p - from, way) / size, 0.0, 1.0) : 0;
-        least = std::min(least, length(from + way * t - p));
-        from = to;
-    }
-    return least;
-}
 
 }  // namespace
 
@@ -42,7 +24,7 @@ std::optional<Picked> pick_element(const OpenedDocument& opened, const CheckedDo
         const bool is_far = place.x < box.min.x - least || place.x > box.max.x + least || place.y < box.min.y - least ||
                             place.y > box.max.y + least;
         if (is_far) continue;
-        if (const double distance = distance_to(elements[i], place); distance <= least) {
+        if (const double distance = foot_on(elements[i], place).distance; distance <= least) {
             least = distance;
             nearest = i;
         }

@@ -97,6 +97,7 @@ struct MatchCommand {
     OpenOptions open;
     std::string rule;                    // empty: all
     std::optional<std::uint64_t> steps;  // in which state of the derivation
+    bool by_hand = false;                // behind the steps by hand, before the machine's
     std::string at;                      // to explain: where a match was expected; empty: anywhere
     bool explain = false;
     bool json = false;
@@ -111,6 +112,7 @@ struct StepCommand {
     OpenOptions open;
     std::string rule;
     std::uint64_t match = 1;
+    bool by_hand = false;  // its number is one of `match --by-hand`
     bool orbit = false;
     std::filesystem::path output;  // empty: standard output
 };

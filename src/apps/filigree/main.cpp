@@ -226,6 +226,8 @@ void add_variations(CLI::App& app, Run& run) {
     });
 }
 
+constexpr const char* by_hand_help = "before the machine's steps, where one by hand would come";
+
 void add_match(CLI::App& app, Run& run) {
     struct Options {
         filigree::MatchCommand command;
@@ -239,6 +241,7 @@ void add_match(CLI::App& app, Run& run) {
     command.add_option("document", match.document, document_help)->required();
     command.add_option("--rule", match.rule, "of this rule alone");
     options->steps_option = command.add_option("--steps", options->steps, "after so many steps; all if left out");
+    command.add_flag("--by-hand", match.by_hand, by_hand_help)->excludes(options->steps_option);
     command.add_flag("--explain", match.explain, "why the rule does not apply where it is expected to");
     command.add_option("--at", match.at, "where: X,Y in the document's unit, y downwards");
     command.add_flag("--json", match.json, "as JSON, with the transforms and the elements that are covered");
@@ -386,6 +389,7 @@ void add_step(CLI::App& app, Run& run) {
     command.add_option("document", step.document, document_help)->required();
     command.add_option("--rule", step.rule, "the rule")->required();
     command.add_option("--match", step.match, "the match's number, as `match` lists them")->required();
+    command.add_flag("--by-hand", step.by_hand, by_hand_help);
     command.add_flag("--orbit", step.orbit, "at all places that the symmetries of the design take it to");
     command.add_option("-o,--output", step.output, "where to write the new document; else standard output");
     add_open_flags(command, options->flags);

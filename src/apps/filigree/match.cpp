@@ -20,7 +20,7 @@ std::optional<Vec> place_of(const std::string& text, const Document& document) {
     if (comma == std::string::npos) return std::nullopt;
     const std::optional<double> x = parse_number(text.substr(0, comma)), y = parse_number(text.substr(comma + 1));
     if (!x || !y) return std::nullopt;
-    const Unit unit = document.units.empty() ? Unit::px : document.units[0];
+    const Unit unit = unit_of(document);
     return Vec{to_px(*x, unit), to_px(*y, unit)};
 }
 
@@ -81,8 +81,9 @@ int run_match(const MatchCommand& command) {
     if (document.status != 0) return document.status;
     const OpenedDocument& opened = *document.opened;
     if (const int status = check_output(command.output, opened); status != 0) return status;
-    const Result<MatchQuestion> question = question_of(command.rule, command.at, command.steps, opened);
+    Result<MatchQuestion> question = question_of(command.rule, command.at, command.steps, opened);
     if (!question) return print_diagnostics(question.diagnostics(), {});
+    question->by_hand_alone = command.by_hand;
     const Result<FoundMatches> found = find_matches(opened, document.checked, *question, job);
     if (!found) return print_diagnostics(found.diagnostics(), opened.sources);
     if (command.explain) {
@@ -120,7 +121,14 @@ int run_step(const StepCommand& command) {
         if (problems.empty()) problems = not_a_document(command.output);
         if (!problems.empty()) return print_diagnostics(problems, {});
     }
-    const Result<MatchQuestion> question = question_of(command.rule, {}, {}, opened);
+    if (document.checked.design->steps > 0 && !command.by_hand) {
+        Diagnostic late = fault(Fault::usage, "step.after-the-machine",
+                                "steps by hand come before those of the machine ('steps')");
+        late.hints = {"give --by-hand, to `match`, too: it lists what applies before them"};
+        return print_diagnostics({late}, {});
+    }
+    Result<MatchQuestion> question = question_of(command.rule, {}, {}, opened);
+    question->by_hand_alone = true;
     const Result<FoundMatches> found = find_matches(opened, document.checked, *question, job);
     if (!found) return print_diagnostics(found.diagnostics(), opened.sources);
     const Result<std::string> text = with_step(opened, document.checked, *found, command.match, command.orbit);

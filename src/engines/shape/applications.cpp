@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/elementary.h"
 #include "base/number_text.h"
 #include "curves/affine.h"
 #include "curves/algebra.h"
 #include "curves/faces.h"
+#include "curves/fingerprint.h"
+#include "curves/match_order.h"
 #include "curves/maximal.h"
-#include "curves/symmetry.h"
+#include "curves/similarity.h"
 #include "curves/visual.h"
 #include "language/evaluate.h"
 #include "language/quantity.h"
@@ -22,28 +23,31 @@ using curves::ElementKind;
 using curves::Shape;
 
 // The design without what the application covers, where the region is.
-bool is_void(const Region& region, const Shape& covered, const Shape& design, double tolerance) {
-    const curves::Bounds box = bounds_of(region);
-    Shape near;
-    for (const Element& e : design.elements) {
-        const curves::Bounds own = bounds_of(e);
-        if (own.max.x < box.min.x || own.min.x > box.max.x || own.max.y < box.min.y || own.min.y > box.max.y) continue;
-        if (reaches_into(e, region, tolerance)) near.elements.push_back(e);
-    }
+bool is_void(const Region& region, const Shape& covered, const SeenDesign& design, double tolerance) {
+    Shape near = design.within(bounds_of(region));
+    std::erase_if(near.elements, [&](const Element& e) { return !reaches_into(e, region, tolerance); });
     if (near.elements.empty()) return true;
     const Shape rest = erased(near, covered, tolerance);
     return std::none_of(rest.elements.begin(), rest.elements.end(),
                         [&](const Element& e) { return reaches_into(e, region, tolerance); });
 }
 
+// A region of a rule's plane as an application places it in the design.
+Region placed(Region region, const Rule& rule, const Application& at) {
+    if (at.corners.empty()) return transformed(region, at.fit.by);
+    for (Vec& corner : region.corners) corner = curves::stretched(corner, rule.corners, at.corners);
+    return region;
+}
+
 bool is_allowed(const Rule& rule, const Application& at, const SeenDesign& design, double tolerance) {
     for (const Shape& forbidden : rule.forbidden) {
-        if (is_part_of(placed(forbidden, rule, at, tolerance), design.shape(), tolerance)) return false;
+        const Shape there = placed(forbidden, rule, at, tolerance);
+        if (is_part_of(there, design.near(there), tolerance)) return false;
     }
     if (rule.voids.empty()) return true;
-    const Shape covered = placed(rule.left, rule, at, tolerance);
+    const Shape covered = at.covered.empty() ? placed(rule.left, rule, at, tolerance) : merged(at.covered, tolerance);
     return std::all_of(rule.voids.begin(), rule.voids.end(), [&](const Region& region) {
-        return is_void(transformed(region, at.fit.by), covered, design.shape(), tolerance);
+        return is_void(placed(region, rule, at), covered, design, tolerance);
     });
 }
 
@@ -80,28 +84,17 @@ Result<bool> holds(const Rule& rule, const Application& at, const SeenDesign& de
     return as_flag(*value);
 }
 
-double degrees_of(Vec way) {
-    const double degrees = elementary::atan2(way.y, way.x) * (180 / elementary::pi);
-    return degrees < 0 ? degrees + 360 : degrees;
-}
-
 // The same match by another map onto the same elements.
 curves::Match with_map(curves::Match match, const Transform& by) {
     match.by = by;
     match.is_reflected = determinant(by) < 0;
-    match.angle_degrees = degrees_of({by.a, by.b});
+    match.angle_degrees = curves::angle_of(by);
     return match;
-}
-
-// The corners of a left side that is one polygon, in the order of a face; empty where it is none.
-std::vector<Vec> corners_of(const Shape& left, double tolerance) {
-    const std::vector<curves::Face> faces = convex_faces(left, tolerance);
-    return faces.size() == 1 ? faces[0].corners : std::vector<Vec>();
 }
 
 // Every face with as many corners, in all ways in which the corners can be named after each other.
 void add_faces(const Rule& rule, const SeenDesign& design, double tolerance, Applications& found) {
-    const std::vector<Vec> own = corners_of(rule.left, tolerance);
+    const std::vector<Vec>& own = rule.corners;
     for (const curves::Face& face : convex_faces(design.shape(), tolerance)) {
         if (face.corners.size() != own.size()) continue;
         const auto count = static_cast<std::uint32_t>(own.size());
@@ -117,8 +110,7 @@ void add_faces(const Rule& rule, const SeenDesign& design, double tolerance, App
             for (const Vec corner : face.corners) at.place = at.place + corner * (1.0 / count);
             const Vec side = at.corners[1] - at.corners[0], own_side = own[1] - own[0];
             at.fit.scale = std::sqrt(std::fabs(curves::area_of(face.corners) / curves::area_of(own)));
-            at.fit.angle_degrees = degrees_of(side) - degrees_of(own_side);
-            if (at.fit.angle_degrees < 0) at.fit.angle_degrees += 360;
+            at.fit.angle_degrees = curves::angle_of(curves::to_transform({curves::over(side, own_side), {}, false}));
             found.all.push_back(std::move(at));
         }
         ++found.matches;
@@ -158,8 +150,7 @@ void add_families(const Rule& rule, const std::vector<curves::Family>& families,
 
 Shape placed(const Shape& shape, const Rule& rule, const Application& at, double tolerance) {
     if (at.corners.empty()) return transformed(shape, at.fit.by);
-    const std::vector<Vec> own = corners_of(rule.left, tolerance);
-    const auto moved = [&](Vec p) { return curves::stretched(p, own, at.corners); };
+    const auto moved = [&](Vec p) { return curves::stretched(p, rule.corners, at.corners); };
     std::vector<Element> elements;
     for (Element e : shape.elements) {
         if (e.kind == ElementKind::arc) {
@@ -192,11 +183,13 @@ Result<Applications> applications_of(const Grammar& grammar, std::uint32_t numbe
             add_matches(rule, matches.found, found);
             add_families(rule, matches.families, found);
             found.near_misses = matches.near_misses.size();
+            found.is_complete = matches.is_complete;
         } else {
             const curves::KeptMatches& matches = design.matches_of(number, job);
             add_matches(rule, matches.found(), found);
             add_families(rule, matches.families(), found);
             found.near_misses = matches.near_misses().size();
+            found.is_complete = matches.is_complete();
         }
         if (is_cancelled(job)) return cancelled_diagnostic();
         if (options.visual_tolerance > 0) {
@@ -229,12 +222,16 @@ Result<Applications> applications_of(const Grammar& grammar, std::uint32_t numbe
     return found;
 }
 
+double breadth_of(const Rule& rule, const Application& at) {
+    return diagonal_of(bounds_of(rule.left.elements)) * at.fit.scale;
+}
+
 Scope example_scope(const Settings& settings) { return scope_of({}, 0, 1, settings); }
 
 Result<Application> application_at(const Grammar& grammar, const Applications& found, const ApplyAt& wanted,
                                    const Surroundings& around) {
     const Rule& rule = grammar.rules[wanted.rule];
-    const Unit unit = around.document.units.empty() ? Unit::px : around.document.units[0];
+    const Unit unit = unit_of(around.document);
     const auto unit_text = [&](Vec p) {
         const auto shortened = [&](double px) { return to_text(std::round(from_px(px, unit) * 1000) / 1000); };
         return "(" + shortened(p.x) + ", " + shortened(p.y) + ")";
@@ -248,8 +245,9 @@ Result<Application> application_at(const Grammar& grammar, const Applications& f
     for (const Application& at : found.all) {
         if (distance(at) < distance(*nearest)) nearest = &at;
     }
-    const double breadth = diagonal_of(bounds_of(rule.left.elements)) * nearest->fit.scale;
-    if (distance(*nearest) > 0.5 * breadth) {
+    const double breadth = breadth_of(rule, *nearest);
+    // Places are written to a thousandth of a px, and a point has no breadth.
+    if (distance(*nearest) > std::max(0.5 * breadth, 0.002)) {
         return error("shape.no-match-there", "'" + rule.name + "' does not apply at " + unit_text(wanted.place),
                      wanted.span, {"the nearest place where it does is " + unit_text(nearest->place)});
     }
@@ -281,6 +279,12 @@ Result<Application> application_at(const Grammar& grammar, const Applications& f
                          to_text(*wanted.angle) + " degrees",
                      wanted.span, {"the nearest angle is " + to_text(std::round(best->fit.angle_degrees * 1e6) / 1e6)});
     }
+    if (wanted.scale && std::fabs(best->fit.scale / *wanted.scale - 1) > 0.01) {
+        return error(
+            "shape.no-match-there",
+            "at " + unit_text(best->place) + " '" + rule.name + "' applies at no scale of " + to_text(*wanted.scale),
+            wanted.span, {"the nearest scale is " + to_text(std::round(best->fit.scale * 1e6) / 1e6)});
+    }
     if (wanted.is_mirrored && !best->fit.is_reflected) {
         return error("shape.no-match-there", "at " + unit_text(best->place) + " '" + rule.name + "' is not mirrored",
                      wanted.span);
@@ -288,24 +292,27 @@ Result<Application> application_at(const Grammar& grammar, const Applications& f
     return *best;
 }
 
-std::vector<Application> orbit_of(const Application& application, const Rule& rule, const SeenDesign& design,
-                                  double tolerance) {
+std::vector<Application> orbit_of(const Application& application, const Applications& among, const Grammar& grammar,
+                                  const Shape& design) {
+    const Rule& rule = grammar.rules[application.rule];
+    const double tolerance = grammar.tolerance, slack = std::max(8 * tolerance, rule.options.visual_tolerance);
+    const Shape left = placed(rule.left, rule, application, tolerance);
+    const Shape right = placed(rule.right, rule, application, tolerance);
     std::vector<Application> orbit = {application};
-    std::vector<Shape> covered = {placed(rule.left, rule, application, tolerance)};
-    curves::MatchOptions options;
-    options.group = curves::MatchGroup::isometry;
-    options.tolerance = tolerance;
-    for (const curves::Symmetry& symmetry : symmetries(design.shape(), options)) {
-        Application moved = application;
-        moved.fit = with_map(application.fit, compose(symmetry.by, application.fit.by));
-        for (Vec& corner : moved.corners) corner = apply(symmetry.by, corner);
-        moved.place = apply(symmetry.by, application.place);
-        Shape own = placed(rule.left, rule, moved, tolerance);
-        const bool is_known = std::any_of(covered.begin(), covered.end(),
-                                          [&](const Shape& other) { return are_equal(own, other, tolerance); });
-        if (is_known) continue;
-        covered.push_back(std::move(own));
-        orbit.push_back(std::move(moved));
+    std::vector<Shape> taken = {left};
+    for (const Transform& by : maps_onto_itself(design, tolerance)) {
+        const Shape image = transformed(left, by), put = transformed(right, by);
+        const auto is_image = [&](const Shape& other) { return are_equal(other, image, slack); };
+        if (std::any_of(taken.begin(), taken.end(), is_image)) continue;
+        const Vec place = apply(by, application.place);
+        for (const Application& other : among.all) {
+            if (length(other.place - place) > 4 * slack) continue;
+            if (!is_image(placed(rule.left, rule, other, tolerance))) continue;
+            if (!are_equal(placed(rule.right, rule, other, tolerance), put, slack)) continue;
+            orbit.push_back(other);
+            taken.push_back(image);
+            break;
+        }
     }
     return orbit;
 }

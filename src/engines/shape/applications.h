@@ -45,6 +45,7 @@ struct Applications {
     std::uint32_t matches = 0;     // how many different ones
     std::vector<curves::Family> families;
     std::uint64_t near_misses = 0;  // embeddings that fail by less than ten tolerances
+    bool is_complete = true;        // false where there are more than are looked for
 };
 
 Result<Applications> applications_of(const Grammar& grammar, std::uint32_t rule, SeenDesign& design,
@@ -56,13 +57,16 @@ curves::Shape placed(const curves::Shape& shape, const Rule& rule, const Applica
 // The names that a rule's condition knows besides the document's, with example values.
 Scope example_scope(const Settings& settings);
 
+// How broad a rule's left side is where it applies, px. What lies within a hundredth of it is one place to a person.
+double breadth_of(const Rule& rule, const Application& at);
+
 // The application that is meant by a place: the nearest, and among those at one place the one with the wanted angle,
 // scale and hand. An error that names the nearest where none lies within half the left side's breadth.
 Result<Application> application_at(const Grammar& grammar, const Applications& found, const ApplyAt& wanted,
                                    const Surroundings& around);
 
-// With all others that the symmetries of the design take it to, itself first.
-std::vector<Application> orbit_of(const Application& application, const Rule& rule, const SeenDesign& design,
-                                  double tolerance);
+// With those others of its rule that the symmetries of the design take it to, itself first.
+std::vector<Application> orbit_of(const Application& application, const Applications& among, const Grammar& grammar,
+                                  const curves::Shape& design);
 
 }  // namespace filigree::shape

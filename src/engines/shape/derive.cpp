@@ -75,7 +75,8 @@ public:
         const std::uint64_t by_hand = static_cast<std::uint64_t>(
             std::count_if(grammar_.by_hand.begin(), grammar_.by_hand.end(),
                           [](const auto& one) { return std::holds_alternative<ApplyAt>(one); }));
-        const std::uint64_t count = options_.steps.value_or(by_hand + grammar_.steps);
+        const std::uint64_t most = by_hand + (options_.by_hand_alone ? 0 : grammar_.steps);
+        const std::uint64_t count = options_.by_hand_alone ? most : options_.steps.value_or(most);
         for (const auto& one : grammar_.by_hand) {
             if (options_.steps && derivation_.steps.size() >= count) break;
             std::optional<Diagnostic> problem;
@@ -94,7 +95,7 @@ public:
             if (!*went_on) break;
         }
         derivation_.choices = std::move(recorder_.choices);
-        return {std::move(derivation_), std::move(warnings_)};
+        return std::move(derivation_);
     }
 
 private:
@@ -115,8 +116,7 @@ private:
         const Result<Application> at = application_at(grammar_, *found, wanted, around_);
         if (!at) return at.diagnostics().front();
         std::vector<Application> all = {*at};
-        const Rule& rule = grammar_.rules[wanted.rule];
-        if (wanted.is_orbit) all = orbit_of(*at, rule, seen_, grammar_.tolerance);
+        if (wanted.is_orbit) all = orbit_of(*at, *found, grammar_, derivation_.design);
         const std::string segment = "apply";
         PresetNode node = node_below(walk_, walk_.root, {segment, ++by_hand_, 0});
         const Key key = child(rooted(options_.site, Key{hash_text("apply")}), by_hand_);
@@ -184,7 +184,6 @@ private:
     Derivation derivation_;
     SeenDesign seen_;  // where the derivation stands
     std::uint32_t by_hand_ = 0;
-    Diagnostics warnings_;
 };
 
 }  // namespace

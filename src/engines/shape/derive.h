@@ -50,6 +50,7 @@ struct Derivation {
 struct DeriveOptions {
     std::optional<std::uint64_t> steps;  // so many in all, by hand or not; none: as the document says
     DocumentSite site = {};
+    bool by_hand_alone = false;  // without automatic steps
 };
 
 // The steps that the document says by hand, then automatic ones.
@@ -76,6 +77,9 @@ Result<curves::Shape> put_by(const Grammar& grammar, const Application& at, std:
 // `puts`: what each application puts.
 Step& apply_rule(Derivation& derivation, const Grammar& grammar, std::vector<Application> at,
                  const std::vector<curves::Shape>& puts);
+
+// The rules that the machine may apply, those of the highest priority first; rules without weight are none.
+std::vector<std::uint32_t> automatic_rules(const Grammar& grammar);
 
 // What the machine does next: a rule, drawn among those of the highest priority that apply, and where. None where no
 // rule applies. Recorded as the choices `rule` and `match` of the step.

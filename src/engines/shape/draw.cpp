@@ -8,6 +8,7 @@
 
 #include "curves/path_elements.h"
 #include "derivation/page_canvas.h"
+#include "language/quantity.h"
 #include "language/style.h"
 #include "scene/contact_sheet.h"
 #include "scene/curves.h"
@@ -33,7 +34,7 @@ Colour hue(std::uint32_t number) {
 }
 
 double scale_of(const curves::Bounds& box, const Settings& settings, const Document& document) {
-    const Unit unit = document.units.empty() ? Unit::px : document.units[0];
+    const Unit unit = unit_of(document);
     const double size = std::max(box.max.x - box.min.x, box.max.y - box.min.y);
     const bool has_size = settings.page.kind != PageStatement::Kind::fit || unit != Unit::px;
     return has_size || !(size > 0) || size >= smallest_px ? 1 : enlarged_px / size;

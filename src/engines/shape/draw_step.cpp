@@ -29,12 +29,17 @@ public:
         Result<std::size_t> winner = draw_rule(runners);
         if (!winner) return winner.diagnostics();
         std::vector<Application>& all = runners[*winner].found.all;
-        if (grammar_.pick == Pick::all) return std::optional(NextStep{std::move(all)});
+        if (grammar_.pick == Pick::all) {
+            // Of each match the first variant: the others would take the same away once more.
+            const auto is_variant = [](const Application& a, const Application& b) { return a.match == b.match; };
+            all.erase(std::unique(all.begin(), all.end(), is_variant), all.end());
+            return std::optional(NextStep{std::move(all)});
+        }
         Result<std::size_t> index = grammar_.pick == Pick::first ? Result<std::size_t>(0) : draw_match(all.size());
         if (!index) return index.diagnostics();
         if (grammar_.pick == Pick::orbit) {
-            const Rule& rule = grammar_.rules[runners[*winner].rule];
-            return std::optional(NextStep{orbit_of(all[*index], rule, design_, grammar_.tolerance)});
+            const Applications& among = runners[*winner].found;
+            return std::optional(NextStep{orbit_of(all[*index], among, grammar_, design_.shape())});
         }
         return std::optional(NextStep{{std::move(all[*index])}});
     }
@@ -154,11 +159,7 @@ private:
 
 }  // namespace
 
-Result<std::optional<NextStep>> draw_step(const Grammar& grammar, SeenDesign& design, const PresetWalk& walk,
-                                          const PresetNode& node, Key key, const Surroundings& around, const Job& job,
-                                          ChoiceBuffer& record) {
-    Result<StepChoices> choices = choices_at(walk, node, around.settings.globals, &record);
-    if (!choices) return choices.diagnostics();
+std::vector<std::uint32_t> automatic_rules(const Grammar& grammar) {
     std::vector<std::uint32_t> order;
     for (std::uint32_t r = 0; r < grammar.rules.size(); ++r) {
         if (grammar.rules[r].weight > 0) order.push_back(r);
@@ -167,9 +168,17 @@ Result<std::optional<NextStep>> draw_step(const Grammar& grammar, SeenDesign& de
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
         return priority(a) != priority(b) ? priority(a) > priority(b) : a < b;
     });
+    return order;
+}
+
+Result<std::optional<NextStep>> draw_step(const Grammar& grammar, SeenDesign& design, const PresetWalk& walk,
+                                          const PresetNode& node, Key key, const Surroundings& around, const Job& job,
+                                          ChoiceBuffer& record) {
+    Result<StepChoices> choices = choices_at(walk, node, around.settings.globals, &record);
+    if (!choices) return choices.diagnostics();
     std::vector<Runner> runners;
-    for (const std::uint32_t r : order) {
-        if (!runners.empty() && priority(r) < priority(runners.front().rule)) break;
+    for (const std::uint32_t r : automatic_rules(grammar)) {
+        if (!runners.empty() && grammar.rules[r].priority < grammar.rules[runners.front().rule].priority) break;
         Result<Applications> found = applications_of(grammar, r, design, around, job);
         if (!found) return found.diagnostics();
         if (!found->all.empty()) runners.push_back({r, std::move(*found)});

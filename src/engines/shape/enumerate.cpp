@@ -14,9 +14,12 @@ Result<FoundDesigns> enumerate(const Grammar& grammar, const curves::Shape& from
         report(job, "enumerate", static_cast<double>(d) / static_cast<double>(found.all.size()));
         const curves::Shape design = found.all[d].design;
         SeenDesign seen(grammar, design, depth);
-        for (std::uint32_t r = 0; r < grammar.rules.size(); ++r) {
+        std::optional<double> priority;  // of the rules that apply here
+        for (const std::uint32_t r : automatic_rules(grammar)) {
+            if (priority && grammar.rules[r].priority < *priority) break;
             const Result<Applications> here = applications_of(grammar, r, seen, around, job);
             if (!here) return here.diagnostics();
+            if (!here->all.empty()) priority = grammar.rules[r].priority;
             for (const Application& at : here->all) {
                 if (is_cancelled(job)) return cancelled_diagnostic();
                 Derivation one;

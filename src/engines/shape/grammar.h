@@ -30,6 +30,7 @@ struct Rule {
     curves::Shape left, right;
     const Expression* right_side = nullptr;  // evaluated anew for every application, where it makes choices
     bool by_corners = false;                 // matches every polygon with as many corners
+    std::vector<Vec> corners;                // of such a rule's left side, in the order of a face
     // By which symmetries of the left side one match has several applications: the identity, and one for every way in
     // which the right side and the conditions look different.
     std::vector<Transform> variants = {Transform{}};
@@ -46,9 +47,8 @@ enum class Pick : std::uint8_t {
     random,
     first,
     all,
-    orbit
-};  // orbit: a random one, and all that the design's
-    // symmetries make of it
+    orbit,  // a random one, and all that the design's symmetries make of it
+};
 
 // apply NAME at PLACE [angle A] [scale S] [mirrored] [orbit]
 struct ApplyAt {

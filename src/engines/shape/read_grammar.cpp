@@ -17,6 +17,7 @@
 #include "language/shape_forms.h"
 #include "language/shape_rules.h"
 #include "language/step_choices.h"
+#include "language/walk.h"
 
 namespace filigree::shape {
 namespace {
@@ -55,8 +56,17 @@ public:
         if (has_errors(problems_)) return problems_;
         for (Rule& rule : grammar_.rules) {
             rule.options.tolerance = grammar_.tolerance;
-            if (!rule.by_corners) rule.variants = variants_of(rule);
+            if (rule.by_corners) continue;
+            rule.variants = variants_of(rule);
+            if (rule.options.group != curves::MatchGroup::affine) continue;
+            if (!fixes_affine_maps(rule.left, grammar_.tolerance)) {
+                fail(error("shape.too-little-fixed",
+                           "the left side of '" + rule.name + "' does not fix an affine map", rule.span,
+                           {"it takes three places, where its curves meet, labelled points, or centres of circles",
+                            "`match similarity` takes any curve"}));
+            }
         }
+        if (has_errors(problems_)) return problems_;
         return {std::move(grammar_), std::move(problems_)};
     }
 
@@ -347,7 +357,7 @@ private:
         }
         rule.options = match.options;
         rule.by_corners = match.by_corners;
-        if (left && rule.by_corners) check_corners(rule, statement.left->span);
+        if (left && rule.by_corners) read_corners(rule, statement.left->span);
         if (statement.weight) {
             const auto weight = number_of(*statement.weight);
             if (weight && *weight < 0) {
@@ -371,7 +381,7 @@ private:
         }
         rule.options = default_match_.options;
         rule.by_corners = default_match_.by_corners;
-        if (rule.by_corners) check_corners(rule, file);
+        if (rule.by_corners) read_corners(rule, file);
     }
     Shape shape_of_side(const DrawnSide& side) { return maximal(elements_of(side, reading()), grammar_.tolerance); }
 
@@ -393,10 +403,12 @@ private:
         rule.right_side = &right;
     }
 
-    void check_corners(const Rule& rule, SourceSpan span) {
+    void read_corners(Rule& rule, SourceSpan span) {
         const std::vector<curves::Face> faces = convex_faces(rule.left, grammar_.tolerance);
         const bool is_polygon = faces.size() == 1 && faces[0].corners.size() == rule.left.elements.size();
-        if (!is_polygon) {
+        if (is_polygon) {
+            rule.corners = faces[0].corners;
+        } else {
             fail(error("shape.no-polygon",
                        "`match corners` wants one convex polygon of straight lines on the left side", span,
                        {"such as rectangle(1, 1) or polygon(3, 1)"}));
@@ -459,9 +471,10 @@ private:
             fail(error("shape.no-inverse", "a rule that matches by corners has no inverse", span));
         }
         std::swap(rule.left, rule.right);
-        // Conditions ask what stands around a match of the other side.
+        // Conditions ask about matches of the other side.
         rule.forbidden.clear();
         rule.voids.clear();
+        rule.condition = nullptr;
     }
 
     void mirror(Rule& rule, const NamedShapeRule& named) {
@@ -479,14 +492,8 @@ private:
         }
         const Transform turned = rotation_degrees(2 * angle);
         const Transform by = compose(turned, scaling(1, -1));
-        const auto reflect = [&](Shape& shape) {
-            std::vector<Element> elements;
-            for (const Element& e : shape.elements) elements.push_back(transformed(e, by));
-            shape = maximal(std::move(elements), grammar_.tolerance);
-        };
-        reflect(rule.left);
-        reflect(rule.right);
-        for (Shape& shape : rule.forbidden) reflect(shape);
+        for (Shape* side : {&rule.left, &rule.right}) *side = transformed(*side, by);
+        for (Shape& shape : rule.forbidden) shape = transformed(shape, by);
         for (Region& region : rule.voids) region = transformed(region, by);
     }
 
@@ -555,41 +562,35 @@ private:
         if (std::holds_alternative<GroupRule>(statement.node)) say("rule of tags", "write NAME = left -> right");
     }
 
+    static bool asks_of_the_turn(const Expression& condition) {
+        const std::vector<NameInExpression> names = names_in(condition);
+        return std::any_of(names.begin(), names.end(),
+                           [](const auto& name) { return name.text == "angle" || name.text == "mirrored"; });
+    }
+
     // The symmetries of the left side, without those that change nothing of what the rule puts and asks.
     std::vector<Transform> variants_of(const Rule& rule) const {
-        std::vector<Shape> asked = {rule.right};
-        asked.insert(asked.end(), rule.forbidden.begin(), rule.forbidden.end());
+        std::vector<Shape> conditions = rule.forbidden;
         for (const Region& region : rule.voids) {
             std::vector<Element> border;
             for (std::size_t i = 0; i < region.corners.size(); ++i) {
                 border.push_back(
                     curves::line_element(region.corners[i], region.corners[(i + 1) % region.corners.size()]));
             }
-            asked.push_back(maximal(std::move(border), grammar_.tolerance));
+            conditions.push_back(maximal(std::move(border), grammar_.tolerance));
         }
-        std::vector<Transform> variants;
-        std::vector<std::vector<Shape>> seen;
         const std::vector<curves::Symmetry> group = rule.options.group == curves::MatchGroup::affine
                                                         ? affine_symmetries(rule.left, rule.options)
                                                         : symmetries(rule.left, rule.options);
-        for (const curves::Symmetry& symmetry : group) {
-            std::vector<Shape> images;
-            for (const Shape& shape : asked) {
-                std::vector<Element> elements;
-                for (const Element& e : shape.elements) elements.push_back(transformed(e, symmetry.by));
-                images.push_back(maximal(std::move(elements), grammar_.tolerance));
-            }
-            const bool is_new = std::none_of(seen.begin(), seen.end(), [&](const std::vector<Shape>& other) {
-                return std::equal(images.begin(), images.end(), other.begin(), [&](const Shape& x, const Shape& y) {
-                    return are_equal(x, y, 4 * grammar_.tolerance);
-                });
-            });
-            if (!is_new) continue;
-            variants.push_back(symmetry.by);
-            seen.push_back(std::move(images));
+        std::vector<Transform> by;
+        if (rule.condition != nullptr && asks_of_the_turn(*rule.condition)) {
+            for (const curves::Symmetry& g : group) by.push_back(g.by);
+            return by;
         }
-        if (variants.empty()) variants.push_back(Transform{});
-        return variants;
+        for (const curves::Symmetry& g : curves::variants(group, rule.right, conditions, 4 * grammar_.tolerance)) {
+            by.push_back(g.by);
+        }
+        return by;
     }
 
     const Settings& settings_;

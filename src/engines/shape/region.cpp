@@ -50,6 +50,7 @@ std::vector<double> crossings(Vec from, Vec to, const std::vector<Vec>& corners)
 Region transformed(const Region& region, const Transform& by) {
     Region moved = region;
     for (Vec& corner : moved.corners) corner = apply(by, corner);
+    moved.error *= std::max(length(Vec{by.a, by.b}), length(Vec{by.c, by.d}));
     return moved;
 }
 
@@ -61,21 +62,20 @@ curves::Bounds bounds_of(const Region& region) {
 
 bool reaches_into(const curves::Element& element, const Region& region, double depth) {
     if (region.corners.size() < 3) return false;
-    const curves::Bounds own = bounds_of(element), other = bounds_of(region);
-    if (own.max.x < other.min.x || own.min.x > other.max.x || own.max.y < other.min.y || own.min.y > other.max.y) {
-        return false;
-    }
+    if (!do_overlap(bounds_of(element), bounds_of(region))) return false;
+    depth = std::max(depth, region.error);
     if (element.kind == curves::ElementKind::point) return is_deep(element.at[0], region, depth);
     const int pieces = element.kind == curves::ElementKind::line ? 1 : 64;
     const curves::Interval on = curves::interval_of(element);
+    const double step = (on.to - on.from) / pieces;
     Vec from = curves::point_at(element, on.from);
-    for (int i = 1; i <= pieces; ++i) {
-        const Vec to = curves::point_at(element, on.from + (on.to - on.from) * i / pieces);
+    for (int i = 0; i < pieces; ++i) {
+        const Vec to = curves::point_at(element, on.from + step * (i + 1));
         const std::vector<double> parts = crossings(from, to, region.corners);
         for (std::size_t p = 1; p < parts.size(); ++p) {
             for (const double share : {0.25, 0.5, 0.75, 1.0}) {
                 const double t = parts[p - 1] + share * (parts[p] - parts[p - 1]);
-                if (is_deep(from + (to - from) * t, region, depth)) return true;
+                if (is_deep(curves::point_at(element, on.from + step * (i + t)), region, depth)) return true;
             }
         }
         from = to;

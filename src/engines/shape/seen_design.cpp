@@ -1,5 +1,7 @@
 #include "engines/shape/seen_design.h"
 
+#include <algorithm>
+
 namespace filigree::shape {
 
 SeenDesign::SeenDesign(const Grammar& grammar, const curves::Shape& design, std::uint32_t steps)
@@ -22,6 +24,32 @@ void SeenDesign::start_anew(std::uint32_t steps) {
     steps_ = steps;
     of_rules_.clear();
     of_rules_.resize(grammar_->rules.size());
+}
+
+curves::Shape SeenDesign::on(std::vector<std::uint32_t> slots) const {
+    std::sort(slots.begin(), slots.end());
+    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+    curves::Shape shape;
+    for (const std::uint32_t slot : slots) shape.elements.push_back(index_.element(slot));
+    std::sort(shape.elements.begin(), shape.elements.end(), curves::comes_before);
+    return shape;
+}
+
+curves::Shape SeenDesign::near(const curves::Shape& shape) const {
+    std::vector<std::uint32_t> slots;
+    for (const curves::Element& e : shape.elements) {
+        const std::vector<std::uint32_t> own = index_.grid().found_along(e, 10 * grammar_->tolerance);
+        slots.insert(slots.end(), own.begin(), own.end());
+    }
+    return on(std::move(slots));
+}
+
+curves::Shape SeenDesign::within(const curves::Bounds& box) const {
+    std::vector<std::uint32_t> slots;
+    const Vec size = box.max - box.min;
+    index_.grid().visit_near((box.min + box.max) * 0.5, 0.5 * std::max(size.x, size.y),
+                             [&](std::uint32_t slot) { slots.push_back(slot); });
+    return on(std::move(slots));
 }
 
 const curves::KeptMatches& SeenDesign::matches_of(std::uint32_t number, const Job& job) {

@@ -26,11 +26,16 @@ public:
 
     const curves::Shape& shape() const { return *design_; }
     const curves::MatchIndex& index() const { return index_; }
+    // All of it that comes near a shape, or into a box, and some that does not; in order.
+    curves::Shape near(const curves::Shape& shape) const;
+    curves::Shape within(const curves::Bounds& box) const;
     std::uint32_t steps() const { return steps_; }
     // Of a rule whose group is not affine.
     const curves::KeptMatches& matches_of(std::uint32_t rule, const Job& job);
 
 private:
+    curves::Shape on(std::vector<std::uint32_t> slots) const;
+
     struct OfRule {
         std::optional<curves::KeptMatches> kept;
         curves::MatchIndex::Change since;  // what has changed since these were right

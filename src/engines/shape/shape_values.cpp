@@ -179,9 +179,11 @@ std::vector<Element> elements_of(const DrawnSide& side, const ValueReading& read
 }
 
 std::optional<Region> region_inside(const Path& border) {
-    std::vector<Polyline> lines = flatten(border, 0.01);
+    const double error = 1e-5 * diagonal_of(curves::bounds_of(curves::elements_of(border)));
+    if (!(error > 0)) return std::nullopt;
+    std::vector<Polyline> lines = flatten(border, error);
     if (lines.size() != 1 || !lines[0].closed || lines[0].points.size() < 3) return std::nullopt;
-    return Region{std::move(lines[0].points)};
+    return Region{std::move(lines[0].points), error};
 }
 
 Result<Shape> shape_of(const Value& value, const ValueReading& reading) {
@@ -273,7 +275,10 @@ Result<Region> region_of(const Value& value, const ValueReading& reading) {
         if (x0 == x1 || y0 == y1) return error("shape.empty-region", "this box has no inside", value.span);
         return Region{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
     }
-    if (form->name == "disc") return Region{ring_of(256, number_of(*form, "radius"), point_of(*form, "centre"))};
+    if (form->name == "disc") {
+        const double radius = number_of(*form, "radius");
+        return Region{ring_of(256, radius, point_of(*form, "centre")), 1e-4 * radius};
+    }
     const Result<Shape> border = shape_of(argument_of(*form, "shape"), reading);
     if (!border) return border.diagnostics();
     const std::vector<curves::JoinedPath> paths = curves::paths_of(border->elements, 2 * reading.tolerance);
