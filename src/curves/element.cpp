@@ -86,13 +86,6 @@ Element directed(const Element& e) {
     return e;
 }
 
-bool is_finite(const Element& e) {
-    for (const Vec p : e.at) {
-        if (!is_on_plane(p)) return false;
-    }
-    return std::isfinite(e.from) && std::isfinite(e.to) && std::isfinite(e.weight);
-}
-
 Element without_negative_zeros(Element e) {
     for (Vec& p : e.at) p = p + Vec{0, 0};
     return e;
@@ -401,6 +394,11 @@ Bounds bounds_of(const Element& e) {
     return bounds;
 }
 
+bool is_on_plane(const Element& e) {
+    return std::all_of(e.at.begin(), e.at.end(), [](Vec p) { return filigree::is_on_plane(p); }) &&
+           std::isfinite(e.from) && std::isfinite(e.to) && std::isfinite(e.weight);
+}
+
 double farthest_from(const Element& e, Vec place) {
     const Bounds box = bounds_of(e);
     return length(
@@ -458,7 +456,7 @@ Element reversed(const Element& e) {
 }
 
 std::optional<Element> own_form(const Element& given, double tolerance) {
-    if (!is_finite(given)) return std::nullopt;
+    if (!is_on_plane(given)) return std::nullopt;
     const Element e = without_negative_zeros(given);
     if (e.kind == ElementKind::point) return e;
     if (e.kind == ElementKind::arc) {

@@ -91,6 +91,9 @@ inline bool do_overlap(const Bounds& a, const Bounds& b, double reach = 0) {
 Bounds bounds_of(const Element& e);
 Bounds bounds_of(std::span<const Element> elements);
 double diagonal_of(const Bounds& bounds);  // px; 0 of empty ones
+// Whether its control points lie on the plane, no farther than 2^30 px from the origin along x and y, and its numbers
+// are finite. What does not is no part of a shape.
+bool is_on_plane(const Element& e);
 // The farthest that an element's box comes from a place, px.
 double farthest_from(const Element& e, Vec place);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "base/number_text.h"
@@ -43,15 +44,23 @@ public:
     // The same for all names of one file, whatever links lead to it.
     std::string identity(const std::string& name) const {
         if (!on_disk_) return name;
-        std::error_code failed;
-        const fs::path real = fs::weakly_canonical(fs::absolute(path_of(name)), failed);
-        return failed ? name : real.generic_string();
+        const std::optional<fs::path> real = real_path(path_of(name));
+        return real ? real->generic_string() : name;
     }
 
     const Inputs& loaded() const { return loaded_; }
     const std::vector<fs::path>& files() const { return files_; }
 
 private:
+    // Without links; the file may not be there.
+    static std::optional<fs::path> real_path(const fs::path& path) {
+        std::error_code failed;
+        const fs::path whole = fs::absolute(path, failed);
+        if (failed) return std::nullopt;
+        const fs::path real = fs::weakly_canonical(whole, failed);
+        return failed ? std::nullopt : std::optional(real);
+    }
+
     fs::path path_of(const std::string& name) const {
         return fs::path(name).is_absolute() ? fs::path(name) : folder_ / name;
     }
@@ -63,14 +72,14 @@ private:
     }
 
     Result<std::string> read(const std::string& name) {
-        std::error_code failed;
+        if (name.empty()) return error("input.missing", "a file without a name cannot be read");
         const fs::path path = path_of(name);
-        const fs::path real = fs::weakly_canonical(fs::absolute(path), failed);  // which may not be there
-        const bool inside = !failed && std::any_of(roots_.begin(), roots_.end(), [&](const fs::path& root) {
+        const std::optional<fs::path> real = real_path(path);
+        const bool inside = real && std::any_of(roots_.begin(), roots_.end(), [&](const fs::path& root) {
             std::error_code unknown;
             const fs::path top = fs::canonical(root, unknown);
             if (unknown) return false;
-            const fs::path relative = real.lexically_relative(top);
+            const fs::path relative = real->lexically_relative(top);
             return !relative.empty() && *relative.begin() != "..";
         });
         if (!inside) {

@@ -219,7 +219,16 @@ void go_to(Derivation& derivation, std::uint32_t state) {
 Result<Shape> put_by(const Grammar& grammar, const Application& at, std::uint32_t number, Key step,
                      const Surroundings& around, const StepChoices& choices) {
     const Rule& rule = grammar.rules[at.rule];
-    if (rule.right_side == nullptr) return placed(rule.right, rule, at, grammar.tolerance);
+    const auto placed_on_plane = [&](const Shape& right) -> Result<Shape> {
+        const auto leaves = [&](const Element& e) { return !is_on_plane(transformed(e, at.fit.by)); };
+        if (std::any_of(right.elements.begin(), right.elements.end(), leaves)) {
+            return fault(Fault::limit, "limit.plane",
+                         "the rule '" + rule.name + "' leads beyond the plane, which ends 2^30 px from the origin",
+                         rule.span);
+        }
+        return placed(right, rule, at, grammar.tolerance);
+    };
+    if (rule.right_side == nullptr) return placed_on_plane(rule.right);
     Evaluation evaluation;
     evaluation.document = &around.document;
     evaluation.scope = &around.settings.globals;
@@ -229,7 +238,7 @@ Result<Shape> put_by(const Grammar& grammar, const Application& at, std::uint32_
     if (!value) return value.diagnostics();
     const Result<Shape> right = shape_of(*value, {around.document, around.files, grammar.tolerance});
     if (!right) return right.diagnostics();
-    return placed(*right, rule, at, grammar.tolerance);
+    return placed_on_plane(*right);
 }
 
 SeenDesign seen_design(const Grammar& grammar, const Derivation& derivation) {

@@ -37,7 +37,11 @@ double scale_of(const curves::Bounds& box, const Settings& settings, const Docum
     const Unit unit = unit_of(document);
     const double size = std::max(box.max.x - box.min.x, box.max.y - box.min.y);
     const bool has_size = settings.page.kind != PageStatement::Kind::fit || unit != Unit::px;
-    return has_size || !(size > 0) || size >= smallest_px ? 1 : enlarged_px / size;
+    if (has_size || !(size > 0) || size >= smallest_px) return 1;
+    // What lies far off stays on the plane.
+    const double scale = enlarged_px / size;
+    const double far = std::max({-box.min.x, -box.min.y, box.max.x, box.max.y});
+    return scale * far > 0x1p29 ? 1 : scale;
 }
 
 // A design with the states that its elements came with.

@@ -156,9 +156,15 @@ Result<Transform> transform_of_form(const SymbolicCall& call) {
     return there_and_back({cosine, sine, sine, -cosine, 0, 0});
 }
 
-Shape moved(const Shape& shape, const Transform& by, double tolerance) {
+std::optional<Diagnostic> off_plane(std::span<const Element> elements, SourceSpan span) {
+    if (std::all_of(elements.begin(), elements.end(), curves::is_on_plane)) return std::nullopt;
+    return error("shape.off-plane", "this reaches beyond the plane, which ends 2^30 px from the origin", span);
+}
+
+Result<Shape> moved(const Shape& shape, const Transform& by, double tolerance, SourceSpan span) {
     std::vector<Element> elements;
     for (const Element& e : shape.elements) elements.push_back(transformed(e, by));
+    if (auto beyond = off_plane(elements, span)) return *std::move(beyond);
     return maximal(std::move(elements), tolerance);
 }
 
@@ -195,6 +201,7 @@ Result<Shape> shape_of(const Value& value, const ValueReading& reading) {
         if (!form) return form.diagnostics();
         Result<std::vector<Element>> elements = elements_of_form(*form, value, reading);
         if (!elements) return elements.diagnostics();
+        if (auto beyond = off_plane(*elements, value.span)) return *std::move(beyond);
         Shape shape = maximal(std::move(*elements), reading.tolerance);
         if (shape.elements.empty() && reading.warnings != nullptr) {
             reading.warnings->push_back(
@@ -207,7 +214,7 @@ Result<Shape> shape_of(const Value& value, const ValueReading& reading) {
         for (std::size_t i = call->arguments.size() - 1; shape && i-- > 0;) {
             const Result<Transform> by = transform_of(call->arguments[i].value, reading);
             if (!by) return by.diagnostics();
-            shape = moved(*shape, *by, reading.tolerance);
+            shape = moved(*shape, *by, reading.tolerance, value.span);
         }
         return shape;
     }
