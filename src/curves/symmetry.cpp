@@ -1,6 +1,7 @@
 #include "curves/symmetry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "curves/algebra.h"
@@ -34,13 +35,38 @@ std::vector<Symmetry> symmetries(const Shape& shape, const MatchOptions& options
 
 std::vector<Symmetry> variants(std::span<const Symmetry> symmetries, const Shape& right,
                                std::span<const Shape> conditions, double tolerance) {
+    // Two symmetries look alike where what leads from one to the other, a symmetry itself, changes nothing. A symmetry
+    // is known by how it turns.
+    struct Turn {
+        bool is_reflected;
+        double angle;
+        bool changes_nothing;
+    };
+    const auto order = [](const Turn& a, const Turn& b) {
+        return std::pair(a.is_reflected, a.angle) < std::pair(b.is_reflected, b.angle);
+    };
+    std::vector<Turn> turns;
+    for (const Symmetry& g : symmetries) {
+        const auto is_kept = [&](const Shape& shape) { return are_equal(transformed(shape, g.by), shape, tolerance); };
+        turns.push_back({determinant(g.by) < 0, angle_of(g.by),
+                         is_kept(right) && std::all_of(conditions.begin(), conditions.end(), is_kept)});
+    }
+    std::sort(turns.begin(), turns.end(), order);
+    const auto changes_nothing = [&](const Transform& by) {
+        const bool is_reflected = determinant(by) < 0;
+        const double angle = angle_of(by);
+        const auto first = std::lower_bound(turns.begin(), turns.end(), Turn{is_reflected, 0, false}, order);
+        const auto last = std::lower_bound(first, turns.end(), Turn{is_reflected, 360, false}, order);
+        if (first == last) return false;
+        const auto next = std::lower_bound(first, last, Turn{is_reflected, angle, false}, order);
+        const auto off = [&](const Turn& turn) { return std::fabs(std::remainder(turn.angle - angle, 360)); };
+        const Turn &after = next == last ? *first : *next, &before = next == first ? *(last - 1) : *(next - 1);
+        return (off(after) < off(before) ? after : before).changes_nothing;
+    };
     std::vector<Symmetry> different;
     for (const Symmetry& g : symmetries) {
         const auto looks_alike = [&](const Symmetry& other) {
-            const auto is_same = [&](const Shape& shape) {
-                return are_equal(transformed(shape, g.by), transformed(shape, other.by), tolerance);
-            };
-            return is_same(right) && std::all_of(conditions.begin(), conditions.end(), is_same);
+            return changes_nothing(compose(inverse(other.by), g.by));
         };
         if (std::none_of(different.begin(), different.end(), looks_alike)) different.push_back(g);
     }

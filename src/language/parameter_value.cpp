@@ -176,8 +176,11 @@ Result<Value> converted(const ParameterDescription& parameter, const Value& valu
         case ParameterType::direction:
             return to_direction(parameter, value, span);
         case ParameterType::flag: {
-            // Only its own name, yes and no get here.
-            if (const Symbol* word = std::get_if<Symbol>(&value.data)) return Value{word->name != "no", {}};
+            // Its own name stands for yes.
+            if (const Symbol* word = std::get_if<Symbol>(&value.data)) {
+                if (word->name == "no") return Value{false, {}};
+                if (word->name == "yes" || has_name(parameter, word->name)) return Value{true, {}};
+            }
             const Result<bool> flag = as_flag(value);
             if (!flag) return retold(parameter, value, flag, span);
             return Value{*flag, {}};

@@ -25,13 +25,13 @@ Diagnostic unknown_engine(const Settings& settings) {
                  settings.engine_span, hints);
 }
 
-Diagnostics style_warnings(const Settings& settings, const tangle::Grammar& grammar) {
+// Of styles for what nothing is called.
+Diagnostics style_warnings(const Settings& settings, const std::vector<std::string_view>& known) {
     Diagnostics warnings;
-    std::vector<std::string_view> known(grammar.tags.begin(), grammar.tags.end());
     for (const StyleStatement* style : settings.styles) {
         for (const Name& tag : style->tags) {
-            if (tag.text == "*" || grammar.find_tag(tag.text) != tangle::none) continue;
-            warnings.push_back(warning("style.unknown-tag", "no shape has the tag '" + tag.text + "'", tag.span,
+            if (tag.text == "*" || std::find(known.begin(), known.end(), tag.text) != known.end()) continue;
+            warnings.push_back(warning("style.unknown-tag", "nothing is called '" + tag.text + "'", tag.span,
                                        did_you_mean(tag.text, known)));
         }
     }
@@ -120,7 +120,12 @@ public:
             checked.shapes = std::make_shared<const ShapeSource>(opened.inputs, checked.settings->resolution);
             if (!opened.has_failed) take(read_design(opened, checked));
             take(read_styles(*checked.settings, opened.document).diagnostics());
-            if (checked.design) take(check_presets(opened, checked));
+            if (checked.design) {
+                std::vector<std::string_view> names = {checked.design->start_tag};
+                for (const shape::Rule& rule : checked.design->rules) names.push_back(rule.name);
+                take(style_warnings(*checked.settings, names));
+                take(check_presets(opened, checked));
+            }
             return checked;
         }
         for (const EmbeddedDocument& inner : opened.embedded) checked.embedded.push_back(check_embedded(inner));
@@ -145,7 +150,7 @@ public:
         take(read_styles(*checked.settings, opened.document).diagnostics());
         if (grammar) {
             checked.grammar = std::move(*grammar);
-            take(style_warnings(*checked.settings, *checked.grammar));
+            take(style_warnings(*checked.settings, {checked.grammar->tags.begin(), checked.grammar->tags.end()}));
             take(check_presets(opened, checked));
         }
         std::vector<std::string> produced = tags;  // not by rules: by starts, and by steps that are applied by hand

@@ -89,7 +89,8 @@ void add_render(CLI::App& app, Run& run) {
         ->allow_extra_args(false);
     add_open_flags(command, options->flags);
     command.add_option("--choices", render.choices, "take these choices, as `filigree choices` wrote them");
-    options->steps_option = command.add_option("--steps", options->steps, "stop after so many steps");
+    options->steps_option =
+        command.add_option("--steps", options->steps, "stop after so many steps")->check(CLI::Range(0, 1000000000));
     add_threads(command, render.threads);
     command.add_option("--stats", render.stats, "write figures about the run, as JSON");
     command.add_option("--colour-by", render.colour_by, "colour shapes by what they are: tag, group or step")
@@ -139,7 +140,8 @@ void add_derive(CLI::App& app, Run& run) {
     CLI::App& command = *app.add_subcommand("derive", "list the steps of a derivation, or print its word");
     command.add_option("document", options->command.document, document_help)->required();
     add_open_flags(command, options->flags);
-    options->steps_option = command.add_option("--steps", options->steps, "stop after so many steps");
+    options->steps_option =
+        command.add_option("--steps", options->steps, "stop after so many steps")->check(CLI::Range(0, 1000000000));
     add_threads(command, options->command.threads);
     command.add_option("--format", options->format, "text or json")
         ->check(CLI::IsMember({"text", "json"}))
@@ -240,7 +242,8 @@ void add_match(CLI::App& app, Run& run) {
     CLI::App& command = *app.add_subcommand("match", "where the rules of a shape grammar apply");
     command.add_option("document", match.document, document_help)->required();
     command.add_option("--rule", match.rule, "of this rule alone");
-    options->steps_option = command.add_option("--steps", options->steps, "after so many steps; all if left out");
+    options->steps_option = command.add_option("--steps", options->steps, "after so many steps; all if left out")
+                                ->check(CLI::Range(0, 1000000000));
     command.add_flag("--by-hand", match.by_hand, by_hand_help)->excludes(options->steps_option);
     command.add_flag("--explain", match.explain, "why the rule does not apply where it is expected to");
     command.add_option("--at", match.at, "where: X,Y in the document's unit, y downwards");
@@ -388,7 +391,9 @@ void add_step(CLI::App& app, Run& run) {
         *app.add_subcommand("step", "apply a shape rule at one of its matches: the document with one step more");
     command.add_option("document", step.document, document_help)->required();
     command.add_option("--rule", step.rule, "the rule")->required();
-    command.add_option("--match", step.match, "the match's number, as `match` lists them")->required();
+    command.add_option("--match", step.match, "the match's number, as `match` lists them")
+        ->required()
+        ->check(CLI::Range(0, 1000000000));
     command.add_flag("--by-hand", step.by_hand, by_hand_help);
     command.add_flag("--orbit", step.orbit, "at all places that the symmetries of the design take it to");
     command.add_option("-o,--output", step.output, "where to write the new document; else standard output");
@@ -461,7 +466,8 @@ void add_word_edits(CLI::App& app, Run& run) {
     CLI::App& command = *app.add_subcommand("edit", "edit the word that a rewriting document derives");
     command.add_option("document", flags->command.document, document_help)->required();
     flags->steps_option =
-        command.add_option("--steps", flags->steps, "how many iterations; the document's own number if left out");
+        command.add_option("--steps", flags->steps, "how many iterations; the document's own number if left out")
+            ->check(CLI::Range(0, 1000000000));
     command.add_option("-o,--output", flags->command.output, "write the document with the word for its axiom");
     command.add_option("--format", flags->format, "text or json")
         ->check(CLI::IsMember({"text", "json"}))

@@ -23,7 +23,7 @@ using curves::ElementKind;
 using curves::Shape;
 
 // The design without what the application covers, where the region is.
-bool is_void(const Region& region, const Shape& covered, const SeenDesign& design, double tolerance) {
+bool is_void(const Region& region, const Shape& covered, SeenDesign& design, double tolerance) {
     Shape near = design.within(bounds_of(region));
     std::erase_if(near.elements, [&](const Element& e) { return !reaches_into(e, region, tolerance); });
     if (near.elements.empty()) return true;
@@ -39,7 +39,7 @@ Region placed(Region region, const Rule& rule, const Application& at) {
     return region;
 }
 
-bool is_allowed(const Rule& rule, const Application& at, const SeenDesign& design, double tolerance) {
+bool is_allowed(const Rule& rule, const Application& at, SeenDesign& design, double tolerance) {
     for (const Shape& forbidden : rule.forbidden) {
         const Shape there = placed(forbidden, rule, at, tolerance);
         if (is_part_of(there, design.near(there), tolerance)) return false;
@@ -73,7 +73,7 @@ Scope scope_of(const Application& at, std::size_t steps, std::size_t elements, c
     return scope;
 }
 
-Result<bool> holds(const Rule& rule, const Application& at, const SeenDesign& design, const Surroundings& around) {
+Result<bool> holds(const Rule& rule, const Application& at, SeenDesign& design, const Surroundings& around) {
     if (rule.condition == nullptr) return true;
     const Scope scope = scope_of(at, design.steps(), design.shape().elements.size(), around.settings);
     Evaluation evaluation;
@@ -93,7 +93,7 @@ curves::Match with_map(curves::Match match, const Transform& by) {
 }
 
 // Every face with as many corners, in all ways in which the corners can be named after each other.
-void add_faces(const Rule& rule, const SeenDesign& design, double tolerance, Applications& found) {
+void add_faces(const Rule& rule, SeenDesign& design, double tolerance, Applications& found) {
     const std::vector<Vec>& own = rule.corners;
     for (const curves::Face& face : convex_faces(design.shape(), tolerance)) {
         if (face.corners.size() != own.size()) continue;

@@ -14,7 +14,7 @@ struct Runner {
 
 class StepDrawer {
 public:
-    StepDrawer(const Grammar& grammar, const SeenDesign& design, const StepChoices& choices, Key key,
+    StepDrawer(const Grammar& grammar, SeenDesign& design, const StepChoices& choices, Key key,
                std::span<const std::uint32_t> accepted, const Surroundings& around, ChoiceBuffer& record)
         : grammar_(grammar),
           design_(design),
@@ -149,7 +149,7 @@ private:
     }
 
     const Grammar& grammar_;
-    const SeenDesign& design_;
+    SeenDesign& design_;
     const StepChoices& choices_;
     const Key key_;
     const std::span<const std::uint32_t> accepted_;

@@ -1,8 +1,8 @@
 // All designs that a grammar can make in so many steps, each once.
 //
 // Breadth first, from the state that the document's own `apply` statements lead to, by all that the machine may do:
-// rules without weight are not applied, and those of lower priority only where no other is. Designs that are the same, by the
-// fingerprint and then by a comparison, are met once. Right sides that draw at random take the middle.
+// rules without weight are not applied, and those of lower priority only where no other is. Designs that are the same,
+// by the fingerprint and then by a comparison, are met once. Right sides that draw at random take the middle.
 #pragma once
 
 #include <cstdint>

@@ -60,8 +60,8 @@ public:
             rule.variants = variants_of(rule);
             if (rule.options.group != curves::MatchGroup::affine) continue;
             if (!fixes_affine_maps(rule.left, grammar_.tolerance)) {
-                fail(error("shape.too-little-fixed",
-                           "the left side of '" + rule.name + "' does not fix an affine map", rule.span,
+                fail(error("shape.too-little-fixed", "the left side of '" + rule.name + "' does not fix an affine map",
+                           rule.span,
                            {"it takes three places, where its curves meet, labelled points, or centres of circles",
                             "`match similarity` takes any curve"}));
             }
@@ -211,7 +211,8 @@ private:
             const NamedValue& columns = call->arguments.front();
             const Result<double> count = as_number(columns.value);
             const bool is_columns = columns.name.empty() || columns.name == "columns";
-            if (call->arguments.size() == 1 && is_columns && count && *count >= 1 && *count <= 1000) {
+            if (call->arguments.size() == 1 && is_columns && count && *count >= 1 && *count <= 1000 &&
+                *count == std::floor(*count)) {
                 show.film = static_cast<std::uint32_t>(*count);
             } else {
                 fail(error("shape.bad-film", "film takes the number of its columns, as in film(columns: 4)", span));
@@ -357,6 +358,11 @@ private:
         }
         rule.options = match.options;
         rule.by_corners = match.by_corners;
+        if (left && rule.options.visual_tolerance > 0.25 * diagonal_of(bounds_of(rule.left.elements))) {
+            fail(error("shape.anything-looks-alike",
+                       "what may lie off by more than a quarter of the left side's breadth can be anything",
+                       statement.match ? statement.match->span : rule.span));
+        }
         if (left && rule.by_corners) read_corners(rule, statement.left->span);
         if (statement.weight) {
             const auto weight = number_of(*statement.weight);
@@ -369,6 +375,13 @@ private:
         if (statement.priority) rule.priority = number_of(*statement.priority).value_or(0);
         for (const ExpressionPtr& unless : statement.unless) read_unless(*unless, rule);
         rule.condition = statement.condition.get();
+        if (rule.condition != nullptr && !rule.by_corners) {
+            for (const NameInExpression& name : names_in(*rule.condition)) {
+                if (name.text != "area" && name.text != "first_side" && name.text != "second_side") continue;
+                fail(error("shape.no-polygon-here", "'" + name.text + "' is known of polygons alone", name.span,
+                           {"`match corners` finds polygons"}));
+            }
+        }
     }
 
     void read_drawn(const DrawnRule& drawn, SourceSpan file, Rule& rule) {
@@ -377,7 +390,12 @@ private:
         rule.right = shape_of_side(drawn.right);
         for (const DrawnSide& unless : drawn.conditions) rule.forbidden.push_back(shape_of_side(unless));
         for (const Path& border : drawn.regions) {
-            if (std::optional<Region> region = region_inside(border)) rule.voids.push_back(std::move(*region));
+            if (std::optional<Region> region = region_inside(border)) {
+                rule.voids.push_back(std::move(*region));
+            } else {
+                fail(error("shape.open-region", "a void region of '" + drawn.name + "' does not close to one ring",
+                           file));
+            }
         }
         rule.options = default_match_.options;
         rule.by_corners = default_match_.by_corners;

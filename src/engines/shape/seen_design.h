@@ -25,16 +25,16 @@ public:
     void start_anew(std::uint32_t steps);
 
     const curves::Shape& shape() const { return *design_; }
-    const curves::MatchIndex& index() const { return index_; }
+    const curves::MatchIndex& index();
     // All of it that comes near a shape, or into a box, and some that does not; in order.
-    curves::Shape near(const curves::Shape& shape) const;
-    curves::Shape within(const curves::Bounds& box) const;
+    curves::Shape near(const curves::Shape& shape);
+    curves::Shape within(const curves::Bounds& box);
     std::uint32_t steps() const { return steps_; }
     // Of a rule whose group is not affine.
     const curves::KeptMatches& matches_of(std::uint32_t rule, const Job& job);
 
 private:
-    curves::Shape on(std::vector<std::uint32_t> slots) const;
+    curves::Shape on(std::vector<std::uint32_t> slots);
 
     struct OfRule {
         std::optional<curves::KeptMatches> kept;
@@ -43,7 +43,7 @@ private:
 
     const Grammar* grammar_;
     const curves::Shape* design_;
-    curves::MatchIndex index_;
+    std::optional<curves::MatchIndex> index_;  // when it is first asked for
     std::uint32_t steps_ = 0;
     std::vector<OfRule> of_rules_;
 };

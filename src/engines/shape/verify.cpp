@@ -9,7 +9,8 @@ namespace filigree::shape {
 std::vector<std::string> broken_invariants(const Derivation& derivation, const Grammar& grammar) {
     std::vector<std::string> broken;
     const auto& elements = derivation.design.elements;
-    if (!(curves::merged(elements, grammar.tolerance) == derivation.design)) broken.push_back("the design is not maximal");
+    if (!(curves::merged(elements, grammar.tolerance) == derivation.design))
+        broken.push_back("the design is not maximal");
     if (derivation.made_by.size() != elements.size()) broken.push_back("an element does not know its step");
     for (std::uint32_t s = 1; s <= derivation.steps.size(); ++s) {
         if (derivation.steps[s - 1].before >= s) {
