@@ -117,6 +117,33 @@ later = square -> circle(4)   match translation
     EXPECT_NE(ran.out.find("2 designs: 1 at depth 0, 1 at depth 1"), std::string::npos) << ran.out;
 }
 
+TEST(ShapeRules, NearDecisionsAreTold) {
+    const TestFolder folder;
+    const auto said = [&](const std::string& end) {
+        return run_program("check " + folder.write("a.fil", R"(grammar shape
+tolerance 0.01
+start design = line((0, 0), (10, 0)) + line(()" + end + R"(, 0), (20, 0))
+)"))
+            .out;
+    };
+    EXPECT_NE(said("10.05").find("a.fil:3:16: warning: "), std::string::npos) << said("10.05");
+    EXPECT_NE(said("10.05").find("a gap in a curve of 5 tolerances at (10, 0)"), std::string::npos) << said("10.05");
+    EXPECT_EQ(said("10.2").find("warning"), std::string::npos) << said("10.2");
+    EXPECT_EQ(said("10.001").find("warning"), std::string::npos) << said("10.001");
+}
+
+TEST(ShapeRules, WhatGrowsBeyondThePlaneIsTold) {
+    const TestFolder folder;
+    const Ran ran = run_program("derive " + folder.write("a.fil", R"(grammar shape
+start design = circle(5)
+grow = circle(1) -> scale(2) * circle(1)
+steps 40
+)"));
+    EXPECT_EQ(ran.status, 4);
+    EXPECT_NE(ran.out.find("a.fil:3:1: error: "), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("limit.plane"), std::string::npos) << ran.out;
+}
+
 TEST(ShapeRules, WhatAStepWritesMeansTheMatchThatWasChosen) {
     // Large left sides that lie near each other, and tiny ones.
     const std::string large = R"(grammar shape

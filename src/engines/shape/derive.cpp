@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "curves/along.h"
+#include "engines/shape/doubts.h"
 #include "engines/shape/shape_values.h"
 #include "language/shape_forms.h"
 
@@ -95,7 +96,11 @@ public:
             if (!*went_on) break;
         }
         derivation_.choices = std::move(recorder_.choices);
-        return std::move(derivation_);
+        Diagnostics warnings;
+        if (auto doubt = warning_of(derivation_.ambiguities, around_.document, {})) {
+            warnings.push_back(*std::move(doubt));
+        }
+        return {std::move(derivation_), std::move(warnings)};
     }
 
 private:

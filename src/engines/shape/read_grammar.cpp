@@ -11,6 +11,7 @@
 #include "curves/symmetry.h"
 #include "derivation/inputs.h"
 #include "engines/shape/applications.h"
+#include "engines/shape/doubts.h"
 #include "engines/shape/match_words.h"
 #include "engines/shape/shape_values.h"
 #include "language/evaluate.h"
@@ -71,9 +72,15 @@ public:
     }
 
 private:
-    ValueReading reading() { return {document_, files_, grammar_.tolerance, &grammar_.labels, &problems_}; }
+    ValueReading reading() { return {document_, files_, grammar_.tolerance, &grammar_.labels, &problems_, &doubts_}; }
     void fail(Diagnostic problem) { problems_.push_back(std::move(problem)); }
     void fail(const Diagnostics& problems) { append(problems_, problems); }  // warnings, too
+
+    // Those that have come up since.
+    void tell_doubts(SourceSpan span) {
+        if (auto doubt = warning_of(doubts_, document_, span)) fail(*std::move(doubt));
+        doubts_ = {};
+    }
 
     Evaluation evaluation() const {
         Evaluation at;
@@ -105,6 +112,7 @@ private:
         const std::optional<Value> value = value_of(expression, evaluation());
         if (!value) return std::nullopt;
         Result<Shape> shape = shape_of(*value, reading());
+        tell_doubts(expression.span);
         if (shape) return std::move(*shape);
         fail(shape.diagnostics());
         return std::nullopt;
@@ -276,7 +284,7 @@ private:
                 if (!shape) return shape.diagnostics();
                 elements.insert(elements.end(), shape->elements.begin(), shape->elements.end());
             }
-            return maximal(std::move(elements), reading.tolerance);
+            return maximal(std::move(elements), reading.tolerance, reading.doubts);
         };
         if (!is_given) {
             // How large it is says what is near.
@@ -287,6 +295,7 @@ private:
         Result<Shape> start = sum_of(reading());
         if (!start) return fail(start.diagnostics());
         grammar_.start = std::move(*start);
+        tell_doubts(starts[0]->value->span);
         if (grammar_.start.elements.empty() && !is_empty_word(values)) {
             fail(error("shape.empty-start", "nothing of this start is longer than the tolerance",
                        starts[0]->value->span));
@@ -388,6 +397,7 @@ private:
         rule.span = file;
         rule.left = shape_of_side(drawn.left);
         rule.right = shape_of_side(drawn.right);
+        tell_doubts(file);
         for (const DrawnSide& unless : drawn.conditions) rule.forbidden.push_back(shape_of_side(unless));
         for (const Path& border : drawn.regions) {
             if (std::optional<Region> region = region_inside(border)) {
@@ -401,7 +411,9 @@ private:
         rule.by_corners = default_match_.by_corners;
         if (rule.by_corners) read_corners(rule, file);
     }
-    Shape shape_of_side(const DrawnSide& side) { return maximal(elements_of(side, reading()), grammar_.tolerance); }
+    Shape shape_of_side(const DrawnSide& side) {
+        return maximal(elements_of(side, reading()), grammar_.tolerance, &doubts_);
+    }
 
     void read_right_side(const Expression& right, Rule& rule) {
         if (!has_choice(right)) {
@@ -614,6 +626,7 @@ private:
     const Settings& settings_;
     const Document& document_;
     const ShapeSource& files_;
+    curves::Ambiguities doubts_;
     Grammar grammar_;
     std::vector<DrawnRule> drawn_;
     std::vector<filigree::DrawnRule> drawn_names_;  // of the same

@@ -202,7 +202,7 @@ Result<Shape> shape_of(const Value& value, const ValueReading& reading) {
         Result<std::vector<Element>> elements = elements_of_form(*form, value, reading);
         if (!elements) return elements.diagnostics();
         if (auto beyond = off_plane(*elements, value.span)) return *std::move(beyond);
-        Shape shape = maximal(std::move(*elements), reading.tolerance);
+        Shape shape = maximal(std::move(*elements), reading.tolerance, reading.doubts);
         if (shape.elements.empty() && reading.warnings != nullptr) {
             reading.warnings->push_back(
                 warning("shape.nothing-there", "nothing of this shape is longer than the tolerance", value.span));
@@ -228,11 +228,11 @@ Result<Shape> shape_of(const Value& value, const ValueReading& reading) {
         } else if (i == 0) {
             all = std::move(*operand);
         } else {
-            all = call->name == "-" ? difference(all, *operand, reading.tolerance)
-                                    : product(all, *operand, reading.tolerance);
+            all = call->name == "-" ? difference(all, *operand, reading.tolerance, reading.doubts)
+                                    : product(all, *operand, reading.tolerance, reading.doubts);
         }
     }
-    return call->name == "+" ? maximal(std::move(summed), reading.tolerance) : all;
+    return call->name == "+" ? maximal(std::move(summed), reading.tolerance, reading.doubts) : all;
 }
 
 Result<Transform> transform_of(const Value& value, const ValueReading& reading) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "curves/ambiguity.h"
 #include "curves/shape.h"
 #include "derivation/shape_source.h"
 #include "engines/shape/drawn_rules.h"
@@ -25,6 +26,7 @@ struct ValueReading {
     double tolerance = 0;                                    // px; of sums, differences and products
     std::map<std::uint32_t, std::string>* labels = nullptr;  // gets the labels that are met, by layer
     Diagnostics* warnings = nullptr;                         // gets what was left out
+    curves::Ambiguities* doubts = nullptr;                   // gets decisions that were near ones
 };
 
 // Maximal. Errors have the place of the value.
