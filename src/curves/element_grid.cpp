@@ -61,12 +61,17 @@ void ElementGrid::find_cells(const Element& e, double reach, std::vector<std::ui
     const Bounds box = bounds_of(e);
     const double span = std::max(box.max.x - box.min.x, box.max.y - box.min.y) * cells_per_px_;
     if (span <= 2) return add(box);  // they are in order already
-    const Interval on = interval_of(e);
-    const double parts = std::ceil(std::min(span, 1e6));
-    for (double i = 0; i < parts; ++i) {
-        const double width = on.to - on.from;
-        add(bounds_of(piece_of(e, {on.from + width * (i / parts), on.from + width * ((i + 1) / parts)})));
-    }
+    // By halves until each is small, or lies beyond the grid, whose outermost cells stand for all that is outside.
+    constexpr int most_halvings = 20;
+    const auto visit = [&](const auto& self, Interval on, int halvings) -> void {
+        const Bounds part = bounds_of(piece_of(e, on));
+        const Cell low = cell_at(part.min - Vec{reach, reach}), high = cell_at(part.max + Vec{reach, reach});
+        if (halvings == most_halvings || (high.column - low.column <= 1 && high.row - low.row <= 1)) return add(part);
+        const double middle = 0.5 * (on.from + on.to);
+        self(self, {on.from, middle}, halvings + 1);
+        self(self, {middle, on.to}, halvings + 1);
+    };
+    visit(visit, interval_of(e), 0);
     std::sort(cells.begin(), cells.end());
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
 }
