@@ -252,7 +252,7 @@ Result<Application> application_at(const Grammar& grammar, const Applications& f
                      wanted.span, {"the nearest place where it does is " + unit_text(nearest->place)});
     }
     // Places that a person would call one, then what else was said of it; what was not said is as the rule stands.
-    const double near = 0.01 * breadth, same = distance(*nearest) + near;
+    const double near = std::max(0.01 * breadth, 0.002), same = distance(*nearest) + near;
     if (nearest->is_of_family && distance(*nearest) > near) {
         return error(
             "shape.infinite-matches",
