@@ -92,6 +92,22 @@ TEST(CommandLine, Statuses) {
     EXPECT_EQ(run_program("--version").status, 0);
 }
 
+// Beside a document that is named without a folder, a file without a name has no path at all.
+TEST(CommandLine, AFileWithoutANameIsAnError) {
+    const TestFolder folder;
+    folder.write("shape.fil", "grammar shape\nstart a = file(\"\")\n");
+    folder.write("include.fil", "include \"\"\ngrammar tangle\nstart a = circle(5)\n");
+    folder.write("start.fil", "grammar tangle\nstart from \"\"\n");
+    const std::filesystem::path here = std::filesystem::current_path();
+    std::filesystem::current_path(folder / "");
+    for (const std::string name : {"shape.fil", "include.fil", "start.fil"}) {
+        const Ran ran = run_program("check " + name);
+        EXPECT_EQ(ran.status, 1) << ran.out;
+        EXPECT_NE(ran.out.find("input.missing"), std::string::npos) << ran.out;
+    }
+    std::filesystem::current_path(here);
+}
+
 TEST(CommandLine, WhatADocumentReadsIsNeverOverwritten) {
     const TestFolder folder;
     const std::string picture =
