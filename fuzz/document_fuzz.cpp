@@ -69,8 +69,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(run->broken.empty(), run->broken.empty() ? "" : run->broken.front());
     options.previous = &run->tangle;
     const Result<Run> again = run_document(opened, checked, options, serial, {});
-    require(again && to_svg(again->drawing, {}) == to_svg(run->drawing, {}),
-            "deriving again gives the same");
+    require(again && to_svg(again->drawing, {}) == to_svg(run->drawing, {}), "deriving again gives the same");
     std::string listed;
     list_choices(opened, checked, *run, [&](std::string_view piece) { listed += piece; });
     const Result<Replay> replay = read_choices(listed);

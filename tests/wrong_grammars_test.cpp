@@ -7,19 +7,6 @@
 namespace filigree {
 namespace {
 
-// In the order of places, as they are printed.
-Diagnostics by_place(Diagnostics diagnostics) {
-    std::vector<std::pair<std::uint32_t, std::size_t>> order;
-    for (std::size_t i = 0; i < diagnostics.size(); ++i) {
-        const SourceSpan& span = diagnostics[i].span;
-        order.emplace_back(span.file == SourceSpan::no_file ? 0 : span.begin, i);
-    }
-    std::sort(order.begin(), order.end());
-    Diagnostics sorted;
-    for (const auto& [place, index] : order) sorted.push_back(diagnostics[index]);
-    return sorted;
-}
-
 void expect_diagnostics(const std::string& file, int at_least) {
     int checked = 0;
     for (const WrongDocument& wrong : read_wrong_documents(FILIGREE_SOURCE_DIR "/tests/data/" + file)) {

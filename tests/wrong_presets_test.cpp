@@ -10,19 +10,6 @@
 namespace filigree {
 namespace {
 
-// In the order of places, as they are printed; what has no place goes first.
-Diagnostics by_place(Diagnostics diagnostics) {
-    std::vector<std::pair<std::uint64_t, std::size_t>> order;
-    for (std::size_t i = 0; i < diagnostics.size(); ++i) {
-        const SourceSpan& span = diagnostics[i].span;
-        order.emplace_back(span.file == SourceSpan::no_file ? 0 : span.begin + std::uint64_t{1}, i);
-    }
-    std::sort(order.begin(), order.end());
-    Diagnostics sorted;
-    for (const auto& [place, index] : order) sorted.push_back(std::move(diagnostics[index]));
-    return sorted;
-}
-
 std::vector<WrongDocument> cases() { return read_wrong_documents(FILIGREE_SOURCE_DIR "/tests/data/wrong_presets.txt"); }
 
 TEST(WrongPresets, CheckingSaysWhatIsExpected) {

@@ -18,6 +18,7 @@
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/diagnostic.h"
@@ -125,6 +126,19 @@ inline std::string difference(const WrongDocument& wrong, const Diagnostics& fou
         problem += to_text(found[i], sources);
     }
     return problem.empty() ? problem : "in the case '" + wrong.name + "':\n" + problem;
+}
+
+// In the order of places, as they are printed; what has no place goes first.
+inline Diagnostics by_place(Diagnostics diagnostics) {
+    std::vector<std::pair<std::uint64_t, std::size_t>> order;
+    for (std::size_t i = 0; i < diagnostics.size(); ++i) {
+        const SourceSpan& span = diagnostics[i].span;
+        order.emplace_back(span.file == SourceSpan::no_file ? 0 : span.begin + std::uint64_t{1}, i);
+    }
+    std::sort(order.begin(), order.end());
+    Diagnostics sorted;
+    for (const auto& [place, index] : order) sorted.push_back(std::move(diagnostics[index]));
+    return sorted;
 }
 
 }  // namespace filigree

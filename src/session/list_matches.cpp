@@ -16,8 +16,8 @@ using Json = nlohmann::ordered_json;
 using shape::Application;
 using shape::Applications;
 
-// What people read and write back: in the unit of the document, to a thousandth of a px, and of the breadth of what lies
-// there.
+// What people read and write back: in the unit of the document, to a thousandth of a px, and of the breadth of what
+// lies there.
 std::string place_text(Vec place, double breadth, const OpenedDocument& opened) {
     const Unit unit = unit_of(opened.document);
     double per_px = 1000;
@@ -76,7 +76,8 @@ Result<FoundMatches> find_matches(const OpenedDocument& opened, const CheckedDoc
         if (unknown.hints.empty() && !names.empty()) unknown.hints = {"one of them is '" + std::string(names[0]) + "'"};
         return unknown;
     }
-    Result<shape::Derivation> derivation = derive_design(opened, checked, {question.steps, {}, question.by_hand_alone}, job);
+    Result<shape::Derivation> derivation =
+        derive_design(opened, checked, {question.steps, {}, question.by_hand_alone}, job);
     if (!derivation) return derivation.diagnostics();
     found.derivation = std::move(*derivation);
     shape::SeenDesign seen = seen_design(grammar, found.derivation);
@@ -90,8 +91,8 @@ Result<FoundMatches> find_matches(const OpenedDocument& opened, const CheckedDoc
 
 std::string apply_text(const OpenedDocument& opened, const CheckedDocument& checked, const Applications& among,
                        const Application& at, bool is_orbit) {
-    std::string text = "apply " + rule_of(checked, at.rule).name + " at " +
-                       place_text(at, rule_of(checked, at.rule), opened);
+    std::string text =
+        "apply " + rule_of(checked, at.rule).name + " at " + place_text(at, rule_of(checked, at.rule), opened);
     // What sets it apart from others at the same place, and from those that may be meant by it.
     const double same = std::max(0.5, 0.02 * breadth_of(rule_of(checked, at.rule), at));
     bool other_angle = false, other_scale = false;

@@ -76,12 +76,12 @@ private:
         const fs::path path = path_of(name);
         const std::optional<fs::path> real = real_path(path);
         const bool inside = real && std::any_of(roots_.begin(), roots_.end(), [&](const fs::path& root) {
-            std::error_code unknown;
-            const fs::path top = fs::canonical(root, unknown);
-            if (unknown) return false;
-            const fs::path relative = real->lexically_relative(top);
-            return !relative.empty() && *relative.begin() != "..";
-        });
+                                std::error_code unknown;
+                                const fs::path top = fs::canonical(root, unknown);
+                                if (unknown) return false;
+                                const fs::path relative = real->lexically_relative(top);
+                                return !relative.empty() && *relative.begin() != "..";
+                            });
         if (!inside) {
             return error("input.outside", "'" + name + "' lies outside the document's folder, so it is not read", {},
                          {"--allow DIR lets documents read below DIR"});

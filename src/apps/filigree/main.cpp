@@ -18,6 +18,9 @@ using filigree::OpenOptions;
 
 constexpr const char* document_help = "a .fil file, or an SVG or PDF that Filigree wrote";
 
+// For options that count: a negative number would be taken for a huge one.
+CLI::Range a_count() { return CLI::Range(0, 1000000000); }
+
 // What the chosen command does.
 using Run = std::function<int()>;
 
@@ -89,8 +92,7 @@ void add_render(CLI::App& app, Run& run) {
         ->allow_extra_args(false);
     add_open_flags(command, options->flags);
     command.add_option("--choices", render.choices, "take these choices, as `filigree choices` wrote them");
-    options->steps_option =
-        command.add_option("--steps", options->steps, "stop after so many steps")->check(CLI::Range(0, 1000000000));
+    options->steps_option = command.add_option("--steps", options->steps, "stop after so many steps")->check(a_count());
     add_threads(command, render.threads);
     command.add_option("--stats", render.stats, "write figures about the run, as JSON");
     command.add_option("--colour-by", render.colour_by, "colour shapes by what they are: tag, group or step")
@@ -140,8 +142,7 @@ void add_derive(CLI::App& app, Run& run) {
     CLI::App& command = *app.add_subcommand("derive", "list the steps of a derivation, or print its word");
     command.add_option("document", options->command.document, document_help)->required();
     add_open_flags(command, options->flags);
-    options->steps_option =
-        command.add_option("--steps", options->steps, "stop after so many steps")->check(CLI::Range(0, 1000000000));
+    options->steps_option = command.add_option("--steps", options->steps, "stop after so many steps")->check(a_count());
     add_threads(command, options->command.threads);
     command.add_option("--format", options->format, "text or json")
         ->check(CLI::IsMember({"text", "json"}))
@@ -242,8 +243,8 @@ void add_match(CLI::App& app, Run& run) {
     CLI::App& command = *app.add_subcommand("match", "where the rules of a shape grammar apply");
     command.add_option("document", match.document, document_help)->required();
     command.add_option("--rule", match.rule, "of this rule alone");
-    options->steps_option = command.add_option("--steps", options->steps, "after so many steps; all if left out")
-                                ->check(CLI::Range(0, 1000000000));
+    options->steps_option =
+        command.add_option("--steps", options->steps, "after so many steps; all if left out")->check(a_count());
     command.add_flag("--by-hand", match.by_hand, by_hand_help)->excludes(options->steps_option);
     command.add_flag("--explain", match.explain, "why the rule does not apply where it is expected to");
     command.add_option("--at", match.at, "where: X,Y in the document's unit, y downwards");
@@ -393,7 +394,7 @@ void add_step(CLI::App& app, Run& run) {
     command.add_option("--rule", step.rule, "the rule")->required();
     command.add_option("--match", step.match, "the match's number, as `match` lists them")
         ->required()
-        ->check(CLI::Range(0, 1000000000));
+        ->check(a_count());
     command.add_flag("--by-hand", step.by_hand, by_hand_help);
     command.add_flag("--orbit", step.orbit, "at all places that the symmetries of the design take it to");
     command.add_option("-o,--output", step.output, "where to write the new document; else standard output");
@@ -467,7 +468,7 @@ void add_word_edits(CLI::App& app, Run& run) {
     command.add_option("document", flags->command.document, document_help)->required();
     flags->steps_option =
         command.add_option("--steps", flags->steps, "how many iterations; the document's own number if left out")
-            ->check(CLI::Range(0, 1000000000));
+            ->check(a_count());
     command.add_option("-o,--output", flags->command.output, "write the document with the word for its axiom");
     command.add_option("--format", flags->format, "text or json")
         ->check(CLI::IsMember({"text", "json"}))

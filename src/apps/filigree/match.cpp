@@ -122,8 +122,8 @@ int run_step(const StepCommand& command) {
         if (!problems.empty()) return print_diagnostics(problems, {});
     }
     if (document.checked.design->steps > 0 && !command.by_hand) {
-        Diagnostic late = fault(Fault::usage, "step.after-the-machine",
-                                "steps by hand come before those of the machine ('steps')");
+        Diagnostic late =
+            fault(Fault::usage, "step.after-the-machine", "steps by hand come before those of the machine ('steps')");
         late.hints = {"give --by-hand, to `match`, too: it lists what applies before them"};
         return print_diagnostics({late}, {});
     }

@@ -12,6 +12,7 @@
 #include "curves/maximal.h"
 #include "curves/similarity.h"
 #include "curves/visual.h"
+#include "engines/shape/paths.h"
 #include "language/evaluate.h"
 #include "language/quantity.h"
 
@@ -231,11 +232,7 @@ Scope example_scope(const Settings& settings) { return scope_of({}, 0, 1, settin
 Result<Application> application_at(const Grammar& grammar, const Applications& found, const ApplyAt& wanted,
                                    const Surroundings& around) {
     const Rule& rule = grammar.rules[wanted.rule];
-    const Unit unit = unit_of(around.document);
-    const auto unit_text = [&](Vec p) {
-        const auto shortened = [&](double px) { return to_text(std::round(from_px(px, unit) * 1000) / 1000); };
-        return "(" + shortened(p.x) + ", " + shortened(p.y) + ")";
-    };
+    const auto unit_text = [&](Vec place) { return place_text(place, around.document); };
     if (found.all.empty()) {
         return error("shape.no-match", "'" + rule.name + "' applies nowhere in this design", wanted.span,
                      {"`filigree match DOC --rule " + rule.name + " --explain` says what is missing"});

@@ -76,8 +76,8 @@ public:
         const std::uint64_t by_hand = static_cast<std::uint64_t>(
             std::count_if(grammar_.by_hand.begin(), grammar_.by_hand.end(),
                           [](const auto& one) { return std::holds_alternative<ApplyAt>(one); }));
-        const std::uint64_t most = by_hand + (options_.by_hand_alone ? 0 : grammar_.steps);
-        const std::uint64_t count = options_.by_hand_alone ? most : options_.steps.value_or(most);
+        const std::uint64_t count =
+            options_.by_hand_alone ? by_hand : options_.steps.value_or(by_hand + grammar_.steps);
         for (const auto& one : grammar_.by_hand) {
             if (options_.steps && derivation_.steps.size() >= count) break;
             std::optional<Diagnostic> problem;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/number_text.h"
-#include "language/quantity.h"
+#include "engines/shape/paths.h"
 
 namespace filigree::shape {
 namespace {
@@ -34,11 +34,10 @@ std::optional<Diagnostic> warning_of(const curves::Ambiguities& doubts, const Do
     if (doubts.found.empty()) return std::nullopt;
     const auto nearest = std::min_element(doubts.found.begin(), doubts.found.end(),
                                           [](const auto& a, const auto& b) { return a.tolerances < b.tolerances; });
-    const auto in_unit = [&](double px) { return to_text(std::round(from_px(px, unit_of(document)) * 1000) / 1000); };
     const std::size_t count = doubts.found.size();
     std::string text = count == 1 ? "a near decision: " : std::to_string(count) + " near decisions, the nearest: ";
     text += std::string(name_of(nearest->what)) + " " + to_text(std::round(nearest->tolerances * 10) / 10) +
-            " tolerances at (" + in_unit(nearest->where.x) + ", " + in_unit(nearest->where.y) + ")";
+            " tolerances at " + place_text(nearest->where, document);
     return warning("shape.near-decision", text, span, {"another 'tolerance' may decide otherwise"});
 }
 
